@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "common/config_node.hpp"
+
+namespace recoat {
+
+/// Number of insertions, deletions, replacements and swaps of neighbours that turn one word into the other.
+std::size_t edit_distance(std::string_view a, std::string_view b);
+
+/// The key of `node` that was never asked for and is spelt like `wanted`; empty when there is none.
+std::string closest_unknown(const ConfigNode& node, std::string_view wanted);
+
+/// The key that was asked of `node` and is spelt like `unknown`; empty when there is none.
+std::string closest_known(const ConfigNode& node, std::string_view unknown);
+
+}  // namespace recoat

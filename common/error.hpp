@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <stdexcept>
+#include <string_view>
+
+namespace recoat {
+
+/// The user's input is wrong. The message is one whole sentence: what is wrong, where, what to do. Exit code 2.
+struct InputError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// The simulation cannot go on. The message is one whole sentence: what happened, where, why. Exit code 3.
+struct SimulationFault : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Runs the body of `program` and returns the exit code: that of the body, 2 after InputError, 3 after SimulationFault,
+/// 1 after any other exception, which is a bug. Errors go to standard error as "program: error: sentence".
+int run_program(std::string_view program, const std::function<int()>& body) noexcept;
+
+}  // namespace recoat
