@@ -64,7 +64,7 @@ private:
 /// A folder in a file; also the file itself.
 class Group {
 public:
-    [[nodiscard]] Group create_group(const std::string& name) const;
+    Group create_group(const std::string& name) const;
     [[nodiscard]] Group group(const std::string& name) const;
     [[nodiscard]] bool has(const std::string& name) const;
     [[nodiscard]] std::vector<std::string> names() const;  ///< of groups and datasets, in alphabetical order
@@ -74,9 +74,11 @@ public:
     void write(const std::string& name, const std::vector<Number>& values, const Shape& shape = {},
                bool compressed = false) const;
 
-    /// An array with no rows yet, each of shape `row` (empty: one number), to be appended to.
+    /// An array with no rows yet, each of shape `row` (empty: one number), to be appended to; stored in chunks of
+    /// `rows_per_chunk` rows.
     template <class Number>
-    [[nodiscard]] Dataset create_extendible(const std::string& name, const Shape& row = {}) const;
+    [[nodiscard]] Dataset create_extendible(const std::string& name, const Shape& row,
+                                            std::size_t rows_per_chunk) const;
 
     [[nodiscard]] Dataset dataset(const std::string& name) const;
 
@@ -113,6 +115,9 @@ public:
     static File open(const std::filesystem::path& path);  ///< for reading
 
     void flush() const;
+
+private:
+    using Group::Group;
 };
 
 /// Whether the file exists and begins like an HDF5 file.

@@ -12,6 +12,8 @@
 
 namespace recoat {
 
+class OutputFile;
+
 /// All particles at one time.
 struct State {
     double time = 0;                                     ///< [s]
@@ -68,7 +70,8 @@ public:
 
 private:
     struct File;
-    std::unique_ptr<File> file_;
+    std::unique_ptr<OutputFile> output_;
+    std::unique_ptr<File> file_;  // closed before the output is renamed or removed
 };
 
 /// Writes a file with the one state.
