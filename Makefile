@@ -1,0 +1,25 @@
+# One line each; every target sets up and builds what it needs.
+PRESET ?= release
+CORES := $(shell nproc)
+export PATH := $(CURDIR)/.venv/bin:$(PATH)
+export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
+
+.PHONY: setup build reproduce test lint clean
+
+setup:
+	@./setup.sh
+
+build: setup
+	@cmake --preset $(PRESET) --log-level=WARNING && cmake --build --preset $(PRESET) --parallel $(CORES)
+
+reproduce: build
+	@snakemake --configfile config/reduced.yaml --cores all && echo "Report: results/reduced/report.html" && ls results/reduced/figures/*
+
+test: build
+	@ctest --preset $(PRESET) --label-exclude slow --parallel $(CORES) && pytest -q -m "not slow" tests && tests/lint.sh
+
+lint: build
+	@tests/lint.sh
+
+clean:
+	@rm -rf build .snakemake results/reduced results/smoke
