@@ -1,0 +1,29 @@
+# From a grid of cases to figures and a report; see docs/workflow.md.
+
+from snakemake.utils import min_version, validate
+
+min_version("9.0")
+
+if "name" not in config:
+
+    configfile: "config/reduced.yaml"
+
+
+validate(config, "config/schema/grid.schema.json")
+
+
+include: "workflow/rules/common.smk"
+include: "workflow/rules/simulate.smk"
+include: "workflow/rules/analyze.smk"
+include: "workflow/rules/check.smk"
+include: "workflow/rules/figures.smk"
+include: "workflow/rules/report.smk"
+
+
+rule all:
+    """The report of the grid, with every figure and table."""
+    default_target: True
+    message:
+        "Report: {input}"
+    input:
+        grid_file("report.html"),

@@ -1,0 +1,155 @@
+# The cases of the grid and where their files are. Every path below results/ is made by grid_file or case_file.
+
+import json
+import shlex
+from collections import namedtuple
+from itertools import product
+from pathlib import Path
+
+import yaml
+
+
+wildcard_constraints:
+    kind="layers|fills",
+    stage="fill|heap|spread",
+    bond=r"[0-9.e+-]+",
+    ratio=r"[0-9.e+-]+",
+    seed="[0-9]+",
+
+
+Case = namedtuple("Case", "kind bond ratio seed")
+
+ENVIRONMENT = "../envs/python.yaml"
+SOLVER = ancient(f"{config['build_directory']}/bin/recoat-solve")
+ANALYZER = ancient(f"{config['build_directory']}/bin/recoat-analyze")
+
+
+def grid_file(name):
+    """Path of a file that belongs to the whole grid."""
+    return f"results/{config['name']}/{name}"
+
+
+def case_file(name, case=None, kind="{kind}"):
+    """Path of a file of one case, or the pattern of all such paths."""
+    pattern = grid_file(f"{kind}/bond-{{bond}}_ratio-{{ratio}}_seed-{{seed}}/{name}")
+    return pattern.format(**case._asdict()) if case else pattern
+
+
+def case_files(name, cases):
+    """The same file of several cases, in their order."""
+    return [case_file(name, case, case.kind) for case in cases]
+
+
+def tag(value):
+    """A number as it is written in paths: 1e-3, 0.001 and .001 give one name."""
+    return f"{float(value):.12g}"
+
+
+def cases_of(kind, groups):
+    """Every case of the groups, each once, in the order of the configuration."""
+    cases = {}
+    for group in groups:
+        for bond, ratio, seed in product(group["bond_numbers"], group["stiffness_ratios"], config["seeds"]):
+            cases[Case(kind, tag(bond), tag(ratio), str(seed))] = None
+    return list(cases)
+
+
+LAYERS = cases_of("layers", config["layers"])
+FILL_ONLY = [case for case in cases_of("fills", config["fills"]) if case._replace(kind="layers") not in LAYERS]
+CASES = LAYERS + FILL_ONLY
+REFERENCE_RATIO = min((case.ratio for case in LAYERS), key=float)
+REFERENCE_LAYERS = [case for case in LAYERS if case.ratio == REFERENCE_RATIO]
+TIME_STEPS = {tag(entry["stiffness_ratio"]): entry["time_step"] for entry in config["time_steps"]}
+
+
+def check_time_steps():
+    """Refuse a grid with a stiffness ratio that has no time step."""
+    for case in CASES:
+        if case.ratio not in TIME_STEPS:
+            raise WorkflowError(
+                f"grid {config['name']}: stiffness ratio {case.ratio} has no time step; add it to time_steps"
+            )
+
+
+check_time_steps()
+
+
+def ratio_cases():
+    """Layers of the Bond numbers that were spread at several stiffness ratios."""
+    ratios = {bond: {case.ratio for case in LAYERS if case.bond == bond} for bond in {case.bond for case in LAYERS}}
+    return [case for case in LAYERS if len(ratios[case.bond]) > 1]
+
+
+def bed_cases():
+    """Packed beds of the Bond numbers that were filled at several stiffness ratios; all where there are none."""
+    ratios = {bond: {case.ratio for case in CASES if case.bond == bond} for bond in {case.bond for case in CASES}}
+    return [case for case in CASES if len(ratios[case.bond]) > 1] or CASES
+
+
+def rendered_case():
+    """The layer of the three-dimensional picture: the reference layer nearest to the Bond number asked for."""
+    wanted = float(config["rendered_bond_number"])
+    return [min(REFERENCE_LAYERS, key=lambda case: abs(float(case.bond) - wanted))]
+
+
+# Every figure: the script workflow/scripts/NAME.py draws it from the metrics of these cases, and
+# workflow/report/figures.yaml holds its title and caption. A figure without cases is left out.
+FIGURES = {
+    name: cases
+    for name, cases in {
+        "fig02_global_packing": bed_cases(),
+        "fig04_packing_by_ratio": ratio_cases(),
+        "fig05_layer_maps": REFERENCE_LAYERS,
+        "fig05_rendered_layer": rendered_case(),
+        "fig06_coordination_number": REFERENCE_LAYERS,
+        "fig07_vertical_distribution": REFERENCE_LAYERS,
+        "fig08_packing_by_bond": REFERENCE_LAYERS,
+        "fig10_cluster_size": REFERENCE_LAYERS,
+        "fig11_cluster_orientation": REFERENCE_LAYERS,
+        "fig12_surface_height": REFERENCE_LAYERS,
+        "fig13_roughness": REFERENCE_LAYERS,
+    }.items()
+    if cases
+}
+
+BED_FIGURES = ["fig02_global_packing"]
+
+
+def figure_metrics(wildcards):
+    """The analysed files a figure is drawn from."""
+    name = "bed.json" if wildcards.figure in BED_FIGURES else "layer.json"
+    return case_files(name, FIGURES[wildcards.figure])
+
+
+def figure_states(wildcards):
+    """The particle states behind those files."""
+    name = "fill.vtkhdf" if wildcards.figure in BED_FIGURES else "spread.vtkhdf"
+    return case_files(name, FIGURES[wildcards.figure])
+
+
+def case_labels(cases):
+    """Bond number, stiffness ratio and seed of each case, for scripts."""
+    return [{"bond": float(case.bond), "ratio": float(case.ratio), "seed": int(case.seed)} for case in cases]
+
+
+def overrides(kind, wildcards):
+    """The --set options of one case."""
+    settings = dict(config["scene_overrides"])
+    if kind == "fills":
+        settings.update(config["fill_overrides"])
+    settings["cohesion.bond_number"] = wildcards.bond
+    settings["stiffness_ratio"] = wildcards.ratio
+    settings["time_step"] = TIME_STEPS[wildcards.ratio]
+    settings["seed"] = wildcards.seed
+    return " ".join(f"--set {shlex.quote(f'{key}={value}')}" for key, value in settings.items())
+
+
+def script_file(name):
+    """Path of a script, so that a rule can name it as an input."""
+    return f"workflow/scripts/{name}.py"
+
+
+with open("workflow/report/figures.yaml") as captions_file:
+    CAPTIONS = yaml.safe_load(captions_file)
+
+CONFIGURATION = yaml.safe_dump(json.loads(json.dumps(config)), sort_keys=False)

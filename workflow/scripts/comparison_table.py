@@ -1,0 +1,15 @@
+"""The paper's statements beside what this grid gives; computed, not tuned."""
+
+import pandas
+
+from reporting import logged, write_text
+from statements import evaluate
+
+COLUMNS = ["figure", "paper says", "this grid gives", "verdict"]
+
+if __name__ == "__main__":
+    with logged(snakemake):
+        metrics = pandas.read_csv(snakemake.input.metrics)
+        beds = pandas.read_csv(snakemake.input.beds)
+        rows = evaluate(metrics, beds, snakemake.params.reference_ratio)
+        write_text(snakemake.output[0], pandas.DataFrame(rows, columns=COLUMNS).to_csv(index=False))

@@ -1,0 +1,43 @@
+"""Figure 6: share of particles by coordination number."""
+
+import numpy
+
+from layers import by_bond, load_layers
+from reporting import logged
+from style import PAGE, bond_colours, bond_label, bond_panels, grouped_bars, pyplot, save
+
+
+def coordination_shares(members, largest):
+    """Mean over the seeds of the shares of CN = 0..largest, with the bootstrap interval or the range of the seeds."""
+    results = [layer.share_interval(layer.coordination, largest + 1) for layer in members]
+    if len(results) == 1:
+        return results[0]
+    values = numpy.array([value for value, _, _ in results])
+    return values.mean(axis=0), values.min(axis=0), values.max(axis=0)
+
+
+def draw(layers):
+    groups = by_bond(layers)
+    colours = bond_colours(groups)
+    largest = max(len(layer.metrics["clusters"]["cn_counts"]) - 1 for layer in layers)
+    panels = bond_panels(groups)
+    figure, row = pyplot.subplots(1, len(panels), figsize=(PAGE, 0.38 * PAGE), sharey=True, squeeze=False)
+    for axes, (title, bonds) in zip(row[0], panels):
+        results = {bond: coordination_shares(groups[bond], largest) for bond in bonds}
+        grouped_bars(
+            axes,
+            [str(number) for number in range(largest + 1)],
+            {bond_label(bond): (100 * result[0], colours[bond]) for bond, result in results.items()},
+            {bond_label(bond): (100 * result[1], 100 * result[2]) for bond, result in results.items()},
+        )
+        axes.set_title(title)
+        axes.set_xlabel("Coordination number [–]")
+        axes.legend()
+    row[0][0].set_ylabel("Share of particles [%]")
+    return figure
+
+
+if __name__ == "__main__":
+    with logged(snakemake):
+        layers = load_layers(snakemake)
+        save(draw(layers), snakemake, layers)

@@ -1,0 +1,45 @@
+"""Figure 8: local packing density against the Bond number: (a) box plots, (b) interquartile range over median."""
+
+import numpy
+from matplotlib.cbook import boxplot_stats
+
+from layers import by_bond, load_layers, relative_iqr
+from reporting import logged
+from style import PAGE, bond_colours, bond_series, pyplot, save
+
+
+def draw_boxes(axes, groups, colours):
+    """Panel (a): the nodes of all seeds of a Bond number in one box."""
+    boxes = []
+    for bond, members in groups.items():
+        boxes += boxplot_stats(numpy.concatenate([layer.packing.ravel() for layer in members]), labels=[f"{bond:g}"])
+    drawn = axes.bxp(boxes, patch_artist=True, widths=0.55, flierprops={"marker": ".", "markersize": 2})
+    for box, bond in zip(drawn["boxes"], groups):
+        box.set_facecolor((*colours[bond][:3], 0.5))
+    for line in drawn["medians"]:
+        line.set_color("black")
+    axes.set_xlabel("Bond number Bo [–]")
+    axes.set_ylabel(r"Local packing density $\phi$ [–]")
+    axes.set_title("(a)")
+
+
+def spread_of(layer):
+    """IQR over median with its 95 % interval."""
+    return relative_iqr(layer.packing), *layer.interval(layer.packing, relative_iqr)
+
+
+def draw(layers):
+    groups = by_bond(layers)
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(PAGE, 0.4 * PAGE))
+    draw_boxes(left, groups, bond_colours(groups))
+    bond_series(right, groups, spread_of)
+    right.set_ylim(bottom=0)
+    right.set_ylabel(r"IQR / median of $\phi$ [–]")
+    right.set_title("(b)")
+    return figure
+
+
+if __name__ == "__main__":
+    with logged(snakemake):
+        layers = load_layers(snakemake)
+        save(draw(layers), snakemake, layers)

@@ -1,0 +1,24 @@
+"""Figure 13: surface roughness against the Bond number."""
+
+from layers import by_bond, load_layers, roughness
+from reporting import logged
+from style import COLUMN, bond_series, pyplot, save
+
+
+def roughness_of(layer):
+    """Ra of the analyser with the 95 % interval of its map [d_p]."""
+    return layer.metrics["height"]["Ra"], *layer.interval(layer.height, roughness)
+
+
+def draw(layers):
+    figure, axes = pyplot.subplots(figsize=(COLUMN, 0.75 * COLUMN))
+    bond_series(axes, by_bond(layers), roughness_of)
+    axes.set_ylim(bottom=0)
+    axes.set_ylabel(r"Surface roughness $Ra/d_p$ [–]")
+    return figure
+
+
+if __name__ == "__main__":
+    with logged(snakemake):
+        layers = load_layers(snakemake)
+        save(draw(layers), snakemake, layers)

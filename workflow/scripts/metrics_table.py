@@ -1,0 +1,78 @@
+"""Scalar metrics of every layer with the 95 % interval of a block bootstrap along x, one row per case."""
+
+import numpy
+import pandas
+
+from layers import load_layers, relative_iqr, roughness
+from reporting import logged, write_text
+
+
+def perpendicular(layer, sizes):
+    """Group 1 for particles of clusters of these sizes at 45 degrees or more, 0 below, -1 for all others."""
+    angle = layer.cluster_angle
+    chosen = numpy.isin(layer.cluster_size, sizes) if sizes else layer.cluster_size > 1
+    group = numpy.where(angle >= 45, 1, 0)
+    return numpy.where(chosen & numpy.isfinite(angle), group, -1)
+
+
+def last_share(values, lower, upper):
+    """Share of the last group with its interval."""
+    return values[-1], lower[-1], upper[-1]
+
+
+def share(layer, condition):
+    """Share of the region's particles that fulfil a condition, with its interval."""
+    return last_share(*layer.share_interval(numpy.asarray(condition).astype(int), 2))
+
+
+def node_share(layer, condition):
+    """Share of the grid nodes that fulfil a condition, with its interval."""
+    return float(condition.mean()), *layer.interval(condition, numpy.mean)
+
+
+def scalars(layer):
+    """Name -> (value, lower, upper)."""
+    metrics = layer.metrics
+    packing, height = layer.packing, layer.height
+    base_distance = (layer.state.points[:, 2] - layer.state.radius) / layer.diameter
+    result = {
+        "packing_median": (metrics["phi_exact"]["median"], *layer.interval(packing, numpy.median)),
+        "packing_iqr_over_median": (metrics["phi_exact"]["iqr_over_median"], *layer.interval(packing, relative_iqr)),
+        "packing_largest": (metrics["phi_exact"]["max"], numpy.nan, numpy.nan),
+        "roughness_dp": (metrics["height"]["Ra"], *layer.interval(height, roughness)),
+        "empty_area": (metrics["height"]["empty_fraction"], *node_share(layer, height <= 0)[1:]),
+        "height_0.75_to_1": node_share(layer, (height > 0.75 + 1e-6) & (height <= 1 + 1e-6)),
+        "height_above_1": node_share(layer, height > 1 + 1e-6),
+        "height_largest_dp": (metrics["height"]["max"], numpy.nan, numpy.nan),
+        "particles": (metrics["clusters"]["n_particles"], numpy.nan, numpy.nan),
+        "largest_coordination_number": (len(metrics["clusters"]["cn_counts"]) - 1, numpy.nan, numpy.nan),
+        "largest_cluster": (metrics["clusters"]["max_cluster_size"], numpy.nan, numpy.nan),
+        "touching_base": share(layer, base_distance < 0.005),
+        "centre_above_1": share(layer, layer.state.points[:, 2] / layer.diameter > 1),
+        "clustered": share(layer, layer.cluster_size > 1),
+        "cluster_2_to_3": share(layer, (layer.cluster_size > 1) & (layer.cluster_size < 4)),
+        "cluster_above_2": share(layer, layer.cluster_size > 2),
+        "cluster_above_8": share(layer, layer.cluster_size > 8),
+        "cluster_below_9": share(layer, layer.cluster_size < 9),
+        "perpendicular": last_share(*layer.share_interval(perpendicular(layer, []), 2)),
+        "perpendicular_doublets": last_share(*layer.share_interval(perpendicular(layer, [2]), 2)),
+    }
+    for number in range(6):
+        result[f"coordination_{number}"] = share(layer, layer.coordination == number)
+    return result
+
+
+def table(layers):
+    """One row per case; the columns NAME, NAME_lower, NAME_upper for every scalar."""
+    rows = []
+    for layer in layers:
+        row = {"bond_number": layer.bond, "stiffness_ratio": layer.ratio, "seed": layer.seed}
+        for name, (value, lower, upper) in scalars(layer).items():
+            row |= {name: value, f"{name}_lower": lower, f"{name}_upper": upper}
+        rows.append(row)
+    return pandas.DataFrame(rows)
+
+
+if __name__ == "__main__":
+    with logged(snakemake):
+        write_text(snakemake.output[0], table(load_layers(snakemake)).to_csv(index=False, float_format="%.8g"))
