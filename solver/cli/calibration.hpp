@@ -1,0 +1,18 @@
+#pragma once
+
+#include "solver/run.hpp"
+
+namespace recoat {
+
+/// What the engine needs on this machine, measured.
+struct Calibration {
+    std::size_t particles = 0;  ///< in the measured block
+    double particle_steps_per_second = 0;
+    double bytes_per_particle = 0;
+};
+
+/// Runs the engine for about half a second on a block of touching spheres of the scene's material and size (simple
+/// cubic, three contacts per particle as in a settled bed), with `threads` threads.
+Calibration calibrate(const Scene& scene, std::int64_t particles, int threads, const EngineFactory& factory);
+
+}  // namespace recoat

@@ -1,0 +1,130 @@
+#include <cstdio>
+#include <thread>
+
+#include <CLI/CLI.hpp>
+
+#include "common/error.hpp"
+#include "common/version.hpp"
+#include "solver/cli/check.hpp"
+#include "solver/cli/models.hpp"
+#include "solver/run.hpp"
+#include "solver/scene/read_scene.hpp"
+#include "solver/stop_request.hpp"
+
+namespace {
+
+using namespace recoat;
+
+struct Arguments {
+    std::string scene, out, folder;
+    std::vector<std::string> settings;
+    int threads = 0;
+    bool quiet = false, overwrite = false, print_config = false, json = false;
+    std::optional<std::int64_t> until_step;
+};
+
+const EngineFactory real_engine{make_engine, restore_engine};
+
+int threads_of(const Arguments& arguments) {
+    if (arguments.threads > 0) return arguments.threads;
+    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+}
+
+RunOptions run_options(const Arguments& arguments, const std::string& folder) {
+    RunOptions options;
+    options.folder = folder;
+    options.threads = threads_of(arguments);
+    options.quiet = arguments.quiet;
+    options.overwrite = arguments.overwrite;
+    options.until_step = arguments.until_step;
+    return options;
+}
+
+int run(const Arguments& arguments) {
+    const Scene scene = load_scene(arguments.scene, arguments.settings);
+    if (arguments.print_config) {
+        std::fputs(scene.resolved.c_str(), stdout);
+        return 0;
+    }
+    if (arguments.out.empty())
+        throw InputError("--out is missing; name the folder for the results, e.g. --out results");
+    listen_for_stop();
+    return run_scene(scene, run_options(arguments, arguments.out), real_engine);
+}
+
+int resume(const Arguments& arguments) {
+    listen_for_stop();
+    return resume_run(run_options(arguments, arguments.folder), real_engine);
+}
+
+int check(const Arguments& arguments) {
+    const Scene scene = load_scene(arguments.scene, arguments.settings);
+    std::fputs(check_report(scene, threads_of(arguments), arguments.json, real_engine).c_str(), stdout);
+    return 0;
+}
+
+void add_scene(CLI::App& command, Arguments& arguments) {
+    command.add_option("scene", arguments.scene, "Scene file (YAML)")->required();
+    command.add_option("--set", arguments.settings, "Replace a value of the scene: a.b=v (may be repeated)")
+        ->allow_extra_args(false);
+}
+
+void add_progress(CLI::App& command, Arguments& arguments) {
+    command.add_flag("--quiet", arguments.quiet, "No progress on standard error");
+    command.add_option("--until-step", arguments.until_step, "Stop at this step with a checkpoint")
+        ->check(CLI::NonNegativeNumber);
+}
+
+void add_threads(CLI::App& command, Arguments& arguments) {
+    command.add_option("--threads", arguments.threads, "Threads (default: all cores); results do not depend on it")
+        ->check(CLI::PositiveNumber);
+}
+
+void add_commands(CLI::App& app, Arguments& arguments) {
+    CLI::App& run_command = *app.add_subcommand("run", "Run a scene");
+    add_scene(run_command, arguments);
+    run_command.add_option("--out", arguments.out, "Folder for states, checkpoint and summary");
+    run_command.add_flag("--overwrite", arguments.overwrite, "Start anew whatever the folder holds");
+    run_command.add_flag("--print-config", arguments.print_config, "Print the scene with all defaults and stop");
+    add_progress(run_command, arguments);
+    add_threads(run_command, arguments);
+
+    CLI::App& resume_command = *app.add_subcommand("resume", "Continue an interrupted run");
+    resume_command.add_option("folder", arguments.folder, "Folder of the run")->required();
+    add_progress(resume_command, arguments);
+    add_threads(resume_command, arguments);
+
+    CLI::App& check_command =
+        *app.add_subcommand("check", "Print derived numbers, time-step limits, expected run time");
+    add_scene(check_command, arguments);
+    check_command.add_flag("--json", arguments.json, "As JSON, in SI units");
+    add_threads(check_command, arguments);
+
+    app.add_subcommand("models", "List the options of the model, their meaning and defaults");
+}
+
+int dispatch(const CLI::App& app, const Arguments& arguments) {
+    if (app.got_subcommand("run")) return run(arguments);
+    if (app.got_subcommand("resume")) return resume(arguments);
+    if (app.got_subcommand("check")) return check(arguments);
+    std::fputs(models_text().c_str(), stdout);
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    return run_program("recoat-solve", [&] {
+        Arguments arguments;
+        CLI::App app("Spreading of cohesive powder by the discrete element method", "recoat-solve");
+        app.set_version_flag("--version", "recoat-solve " + program_version());
+        app.require_subcommand(1);
+        add_commands(app, arguments);
+        try {
+            app.parse(argc, argv);
+        } catch (const CLI::ParseError& error) {
+            return app.exit(error) == 0 ? 0 : 2;
+        }
+        return dispatch(app, arguments);
+    });
+}

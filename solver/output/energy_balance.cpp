@@ -1,0 +1,19 @@
+#include "solver/output/energy_balance.hpp"
+
+#include <cmath>
+
+namespace recoat {
+
+double EnergyBalance::relative_error() const { return scale > 0 ? error / scale : 0; }
+
+EnergyBalance energy_balance(const EnergyLedger& start, const EnergyLedger& end) {
+    EnergyBalance balance;
+    balance.wall_work = end.wall_work - start.wall_work;
+    balance.dissipated = end.dissipated() - start.dissipated();
+    const double kept = end.stored() + end.removed_with_walls - start.stored() - start.removed_with_walls;
+    balance.error = kept + balance.dissipated - balance.wall_work;
+    balance.scale = balance.wall_work != 0 ? std::abs(balance.wall_work) : std::abs(balance.dissipated);
+    return balance;
+}
+
+}  // namespace recoat

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "solver/engine/engine.hpp"
+#include "solver/output/checkpoint.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace recoat {
+
+/// How engines come to be; tests put another one here.
+struct EngineFactory {
+    std::function<std::unique_ptr<Engine>(const EngineSetup&, const ParticleTable&, std::vector<Wall>)> make;
+    std::function<std::unique_ptr<Engine>(const EngineSetup&, const EngineState&)> restore;
+};
+
+struct RunOptions {
+    std::filesystem::path folder;  ///< where everything is written
+    int threads = 1;
+    bool quiet = false;
+    bool overwrite = false;                  ///< start anew whatever the folder holds
+    std::optional<std::int64_t> until_step;  ///< stop there with a checkpoint
+};
+
+/// Runs all stages of `scene` and returns the exit code: 0 when it finished or reached `until_step`; 128 + signal, the
+/// convention of shells, when a signal stopped it (with a checkpoint).
+///
+/// A folder with a finished run of the same scene is left as it is; an unfinished one is
+/// continued; that of another scene is refused with InputError. SimulationFault after a fault, with the state of the
+/// moment before in DIR/fault.vtkhdf.
+int run_scene(const Scene& scene, const RunOptions& options, const EngineFactory& factory);
+
+/// Continues the run in `options.folder` to the bit. Throws InputError when there is nothing to continue.
+int resume_run(const RunOptions& options, const EngineFactory& factory);
+
+}  // namespace recoat

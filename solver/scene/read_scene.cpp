@@ -1,0 +1,76 @@
+#include "solver/scene/read_scene.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "common/number.hpp"
+#include "solver/scene/particle_scene.hpp"
+#include "solver/scene/read_model.hpp"
+#include "solver/scene/spread_scene.hpp"
+#include "solver/scene/time_step_limits.hpp"
+
+namespace recoat {
+namespace {
+
+std::int64_t steps_or_none(const Config& section, std::string_view key, double fallback, double time_step) {
+    const double interval = section.quantity_or(key, Dimension::time, fallback, Range::not_negative());
+    if (interval == 0) return 0;
+    return std::max<std::int64_t>(1, std::llround(interval / time_step));
+}
+
+void read_output(const Config& output, Scene& scene) {
+    scene.output.trajectory_interval = steps_or_none(output, "trajectory_interval", 0, scene.time_step);
+    scene.output.energy_interval = steps_or_none(output, "energy_interval", 1e-3, scene.time_step);
+    scene.output.checkpoint_interval =
+        output.quantity_or("checkpoint_interval", Dimension::time, 600, Range::positive());
+}
+
+void refuse_unstable_step(const Config& config, const Scene& scene) {
+    for (const StepLimit& limit : time_step_limits(scene)) {
+        if (limit.stability && scene.time_step >= limit.limit) {
+            config.fail("time_step", "the step is longer than the stability limit \"" + limit.name + "\" (" +
+                                         limit.formula + " = " + shortest(limit.limit) +
+                                         " s); choose a shorter step (recoat-solve check prints every limit)");
+        }
+    }
+}
+
+}  // namespace
+
+Scene read_scene(Config config, const std::filesystem::path& folder) {
+    constexpr std::array<std::string_view, 2> kinds = {"spread", "particles"};
+    Scene scene;
+    scene.kind = config.choice("scene", kinds);
+    read_model(config, scene);
+    scene.seed = config.integer_or("seed", 1, Range::not_negative());
+    if (scene.kind == "spread") {
+        read_spread_scene(config, folder, scene);
+    } else {
+        read_particle_scene(config, folder, scene);
+    }
+    read_output(config.section_or_empty("output"), scene);
+    config.finish();
+    refuse_unstable_step(config, scene);
+    scene.resolved = config.resolved();
+    return scene;
+}
+
+Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {
+    return read_scene(Config::load(file, overrides), file.parent_path());
+}
+
+EngineSetup engine_setup(const Scene& scene, int threads) {
+    EngineSetup setup;
+    setup.model = scene.model;
+    setup.gravity = {0, 0, -scene.gravity};
+    setup.time_step = scene.time_step;
+    setup.diameter = scene.diameter;
+    setup.y_min = 0;
+    setup.y_period = scene.y_period;
+    setup.domain_lower = scene.domain_lower;
+    setup.domain_upper = scene.domain_upper;
+    setup.threads = threads;
+    return setup;
+}
+
+}  // namespace recoat

@@ -1,0 +1,176 @@
+#include "solver/scene/read_stages.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "solver/contact/material.hpp"
+
+namespace recoat {
+namespace {
+
+constexpr std::array<std::string_view, 7> kinds = {"fill", "heap", "spread", "move", "remove", "settle", "run"};
+
+/// Turns the items of one list into stages; remembers where the blade is and which walls are gone.
+class StageReader {
+public:
+    StageReader(Scene& scene, double blade_height, double lift_speed)
+        : scene_(scene), blade_height_(blade_height), lift_speed_(lift_speed) {}
+
+    void add(const Config& item);
+    void add_duration(double duration) {
+        scene_.stages.push_back({"run", "run", {Segment{{}, {}, steps(duration), {}}}});
+    }
+
+private:
+    std::int64_t steps(double duration) const { return std::llround(duration / scene_.time_step); }
+    std::string kind_of(const Config& item) const;
+    std::string name_of(const Config& section, const std::string& kind) const;
+    std::string wall_of(const Config& section);
+    Segment settle(const Config& section, double default_time) const;
+    Segment travel(const std::string& wall, Vec3 direction, double distance, double speed) const;
+    std::vector<Segment> segments(const std::string& kind, const Config& section);
+    std::vector<Segment> fill(const Config& section);
+    std::vector<Segment> heap(const Config& section);
+    std::vector<Segment> spread(const Config& section);
+    std::vector<Segment> move(const Config& section);
+
+    Scene& scene_;
+    double blade_height_, lift_speed_;
+    std::vector<std::string> removed_;
+};
+
+std::string StageReader::kind_of(const Config& item) const {
+    const std::vector<std::string> keys = item.keys();
+    if (keys.size() == 1 && std::ranges::find(kinds, keys.front()) != kinds.end()) return keys.front();
+    std::string known;
+    for (std::string_view kind : kinds) known += (known.empty() ? "" : ", ") + std::string(kind);
+    item.fail("", "a stage is one of " + known + "; write e.g. - settle: {settle_time: 10 ms}");
+}
+
+std::string StageReader::name_of(const Config& section, const std::string& kind) const {
+    const auto taken = [&](const std::string& name) {
+        return std::ranges::any_of(scene_.stages, [&](const Stage& stage) { return stage.name == name; });
+    };
+    std::string fallback = kind;
+    for (int number = 2; taken(fallback); ++number) fallback = kind + "-" + std::to_string(number);
+    const std::string name = section.text_or("name", fallback);
+    const bool simple =
+        std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
+    if (name.empty() || !simple) {
+        section.fail("name", "a stage names a file; use letters, digits, - and _ only");
+    }
+    if (taken(name) || name == "trajectory" || name == "fault") {
+        section.fail("name", "the name \"" + name + "\" is taken; give each stage its own");
+    }
+    return name;
+}
+
+std::string StageReader::wall_of(const Config& section) {
+    const std::string name = section.text("wall");
+    std::string known;
+    for (const Wall& wall : scene_.walls) {
+        if (std::ranges::find(removed_, wall.name) != removed_.end()) continue;
+        if (wall.name == name) return name;
+        known += (known.empty() ? "" : ", ") + wall.name;
+    }
+    section.fail("wall",
+                 "there is no wall \"" + name + "\" at this stage; the walls are " + (known.empty() ? "none" : known));
+}
+
+/// Rest is looked for about every 30th part of the time in which a particle falls its own diameter.
+Segment StageReader::settle(const Config& section, double default_time) const {
+    const double mass = sphere_mass(0.5 * scene_.diameter, scene_.model.density);
+    const double energy = section.number_or("settle_energy", 1e-6, Range::positive());
+    const double time = section.quantity_or("settle_time", Dimension::time, default_time, Range::not_negative());
+    const double fall = std::sqrt(2 * scene_.diameter / scene_.reference_gravity);
+    const RestCriterion rest{energy * mass * scene_.reference_gravity * scene_.diameter,
+                             std::max<std::int64_t>(1, steps(fall / 30)), 10};
+    return {{}, {}, steps(time), rest};
+}
+
+Segment StageReader::travel(const std::string& wall, Vec3 direction, double distance, double speed) const {
+    const std::int64_t count = std::max<std::int64_t>(1, steps(distance / speed));
+    const double exact = distance / (static_cast<double>(count) * scene_.time_step);
+    return {{}, {{wall, exact * direction}}, count, {}};
+}
+
+std::vector<Segment> StageReader::fill(const Config& section) {
+    if (!scene_.stages.empty()) section.fail("", "fill makes the particles, so it can only be the first stage");
+    if (!std::holds_alternative<ColumnSource>(scene_.source)) {
+        section.fail("", "the particles come from start_from, so there is nothing to fill; remove this stage");
+    }
+    return {settle(section, 0.2)};
+}
+
+std::vector<Segment> StageReader::heap(const Config& section) {
+    Segment segment = settle(section, 0.2);
+    if (std::ranges::find(removed_, "gate") == removed_.end()) {
+        segment.removed = {"gate"};
+        removed_.push_back("gate");
+    }
+    return {segment};
+}
+
+std::vector<Segment> StageReader::spread(const Config& section) {
+    SpreadGeometry& geometry = *scene_.spread;
+    const double length = section.quantity_or("length", Dimension::length, 500 * scene_.diameter, Range::positive());
+    std::vector<Segment> result;
+    if (blade_height_ < geometry.clearance) {
+        result.push_back(travel("blade", {0, 0, 1}, geometry.clearance - blade_height_, lift_speed_));
+        blade_height_ = geometry.clearance;
+    }
+    result.push_back(travel("blade", {1, 0, 0}, length, geometry.blade_speed));
+    result.push_back(settle(section, 0.05));
+    geometry.length += length;
+    return result;
+}
+
+std::vector<Segment> StageReader::move(const Config& section) {
+    const std::string wall = wall_of(section);
+    const Vec3 velocity = section.vector("velocity", Dimension::speed);
+    const double duration = section.quantity("duration", Dimension::time, Range::positive());
+    if (wall == "blade") blade_height_ += velocity.z * duration;
+    return {Segment{{}, {{wall, velocity}}, steps(duration), {}}};
+}
+
+std::vector<Segment> StageReader::segments(const std::string& kind, const Config& section) {
+    if (!scene_.spread && (kind == "fill" || kind == "heap" || kind == "spread")) {
+        section.fail("", kind + " needs the blade of \"scene: spread\"; use move, remove, settle or run here");
+    }
+    if (kind == "fill") return fill(section);
+    if (kind == "heap") return heap(section);
+    if (kind == "spread") return spread(section);
+    if (kind == "move") return move(section);
+    if (kind == "settle") return {settle(section, 0.1)};
+    if (kind == "run")
+        return {Segment{{}, {}, steps(section.quantity("duration", Dimension::time, Range::positive())), {}}};
+    const std::string wall = wall_of(section);
+    removed_.push_back(wall);
+    return {Segment{{wall}, {}, 0, {}}};
+}
+
+void StageReader::add(const Config& item) {
+    const std::string kind = kind_of(item);
+    const Config section = item.section(kind);
+    const std::string name = name_of(section, kind);
+    scene_.stages.push_back({kind, name, segments(kind, section)});
+}
+
+}  // namespace
+
+void read_stages(const Config& config, double blade_height, double lift_speed, Scene& scene) {
+    StageReader reader(scene, blade_height, lift_speed);
+    if (!scene.spread && config.has("duration")) {
+        reader.add_duration(config.quantity("duration", Dimension::time, Range::positive()));
+        return;
+    }
+    for (const Config& item : config.list("stages")) reader.add(item);
+    if (scene.stages.empty()) config.fail("stages", "the list is empty; give at least one stage");
+    const bool makes_particles = std::holds_alternative<ColumnSource>(scene.source);
+    if (makes_particles && scene.stages.front().kind != "fill") {
+        config.fail("stages", "the first stage does not make the particles; begin with fill, or give start_from");
+    }
+}
+
+}  // namespace recoat

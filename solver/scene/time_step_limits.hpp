@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "solver/scene/scene.hpp"
+
+namespace recoat {
+
+/// A length of the time step that something imposes.
+struct StepLimit {
+    std::string name, formula;
+    double limit = 0;        ///< [s]
+    bool stability = false;  ///< a longer step diverges; otherwise it costs accuracy
+};
+
+/// Largest overlap of two equal spheres that meet at relative speed `speed` without damping [m]; of the reduced
+/// stiffness [docs/physics.md section 4.1].
+double largest_impact_overlap(const Scene& scene, double speed);
+
+/// Duration of that impact [s].
+double contact_time(const Scene& scene, double speed);
+
+/// Every limit for spheres of diameter d_p with the reduced stiffness [docs/physics.md sections 2.5 and 4.1].
+std::vector<StepLimit> time_step_limits(const Scene& scene);
+
+}  // namespace recoat
