@@ -51,13 +51,14 @@ Pointer convert(const YAML::Node& source, const std::string& name, std::size_t l
     return node;
 }
 
-YAML::Node load(const std::string& text, const std::string& name) {
+/// Parses YAML, or calls `refuse(line, message of the parser)`, which throws.
+template <class Refuse>
+YAML::Node load(const std::string& text, const Refuse& refuse) {
     try {
         return YAML::Load(text);
     } catch (const YAML::Exception& error) {
-        fail_at(
-            name, static_cast<std::size_t>(error.mark.line + 1),
-            fmt::format("the text is not valid YAML ({}); check the indentation, colons and quotes here", error.msg));
+        refuse(static_cast<std::size_t>(error.mark.line + 1), error.msg);
+        throw;
     }
 }
 
@@ -110,7 +111,10 @@ void make_mapping(ConfigNode& node, const std::string& text, std::string_view pa
 void apply_override(ConfigNode& root, const std::string& text) {
     const auto equals = text.find('=');
     if (equals == std::string::npos || equals == 0) fail_override(text, "this has no form; write key.key=value");
-    const Pointer value = convert(load(text.substr(equals + 1), "--set " + text), "--set " + text, 1, 0);
+    const auto document = load(text.substr(equals + 1), [&](std::size_t, const std::string& message) {
+        fail_override(text, fmt::format("the value is not valid YAML ({}); check its quotes and brackets", message));
+    });
+    const Pointer value = convert(document, "--set " + text, 1, 0);
     mark_as_override(*value, text);
 
     std::string_view rest = std::string_view(text).substr(0, equals);
@@ -180,7 +184,10 @@ Pointer ConfigNode::find(std::string_view key) const {
 }
 
 Pointer parse_config_tree(const std::string& text, const std::string& name) {
-    const YAML::Node document = load(text, name);
+    const auto document = load(text, [&](std::size_t line, const std::string& message) {
+        fail_at(name, line,
+                fmt::format("the text is not valid YAML ({}); check the indentation, colons and quotes here", message));
+    });
     if (!document.IsMap())
         fail_at(name, 1, "the file holds no \"key: value\" pairs at its top; start from a shipped example");
     return convert(document, name, 1, 0);
