@@ -1,0 +1,201 @@
+#include "analyzer/configuration.hpp"
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include <fmt/format.h>
+
+#include "common/number.hpp"
+
+namespace recoat {
+namespace {
+
+using Words = std::array<std::string_view, 2>;
+
+/// Cells that a region may have along one direction, and in all.
+constexpr double most_cells = 1e8;
+constexpr double alignment = 1e-6;
+
+bool is_whole(double value) { return std::abs(value - std::round(value)) <= alignment; }
+
+/// A value of the configuration, or else what the file of particles says.
+double own_or_stated(const Config& config, std::string_view key, Dimension dimension, double stated, Range range = {}) {
+    if (config.has(key) || std::isnan(stated)) return config.quantity(key, dimension, range);
+    return stated;
+}
+
+/// A length as a bare number of particle diameters, or with a unit.
+double diameters_or(const Config& config, std::string_view key, double diameter, double fallback,
+                    Range range = Range::positive()) {
+    if (!config.has(key) || parse_number(config.text(key))) return config.number_or(key, fallback, range);
+    const double value = config.quantity(key, Dimension::length) / diameter;
+    if (!range.contains(value)) config.fail(key, fmt::format("{} d_p is out of range; give a larger length", value));
+    return value;
+}
+
+/// An angle as a bare number of degrees, or with a unit.
+double degrees_or(const Config& config, std::string_view key, double fallback, Range range) {
+    if (!config.has(key) || parse_number(config.text(key))) return config.number_or(key, fallback, range);
+    const double value = config.quantity(key, Dimension::angle) * 180 / std::numbers::pi;
+    if (!range.contains(value))
+        config.fail(key, fmt::format("{} deg is out of range; give an angle up to 90 deg", value));
+    return value;
+}
+
+/// Region along x: given, or the way of the blade without its first and its last part [paper section 3], shortened to
+/// whole cells.
+void read_region(const Config& config, const SourceInfo& info, AnalysisConfig& result) {
+    if (config.has("x_range")) {
+        for (const std::string_view key : {"skip_start", "skip_end"}) {
+            if (config.has(key))
+                config.fail(key, "x_range is given too; give either x_range or what to skip of the spreading length");
+        }
+        const std::vector<double> range = config.quantities("x_range", Dimension::length, 2);
+        result.x_begin = range[0];
+        result.x_end = range[1];
+        return;
+    }
+    if (std::isnan(info.blade_start) || std::isnan(info.spread_length)) {
+        (void)config.quantities("x_range", Dimension::length, 2);
+    }
+    constexpr double paper_start = 100.0 / 500, paper_end = 10.0 / 500;
+    const double start =
+        config.quantity_or("skip_start", Dimension::length, paper_start * info.spread_length, Range::not_negative());
+    const double end =
+        config.quantity_or("skip_end", Dimension::length, paper_end * info.spread_length, Range::not_negative());
+    const double cell = result.grid * result.particle_diameter;
+    const double cells = std::floor((info.spread_length - start - end) / cell + alignment);
+    if (cells < 1)
+        config.fail(config.has("skip_start") ? "skip_start" : "skip_end",
+                    "nothing is left of the spreading length; skip less, or give x_range");
+    result.x_begin = info.blade_start + start;
+    result.x_end = result.x_begin + cells * cell;
+}
+
+void check_cells(const Config& config, const AnalysisConfig& result) {
+    const double cell = result.grid * result.particle_diameter;
+    const double nx = (result.x_end - result.x_begin) / cell, ny = result.y_period / cell;
+    if (!(nx > 0)) config.fail("x_range", "the region ends before it begins; give [start, end] with start < end");
+    if (!is_whole(nx) || nx < 0.5) {
+        config.fail(
+            "x_range",
+            fmt::format("the region is {:.6g} cells of {:.6g} m long; make it a whole number of cells", nx, cell));
+    }
+    if (!is_whole(ny) || ny < 0.5) {
+        config.fail("y_period",
+                    fmt::format("the period is {:.6g} cells of {:.6g} m; make it a whole number by the choice of grid",
+                                ny, cell));
+    }
+    if (nx * ny > most_cells)
+        config.fail("grid", fmt::format("{:.3g} cells are too many; take larger cells or a smaller region", nx * ny));
+    for (const auto& [key, window] :
+         {std::pair("phi_window", result.phi_window), std::pair("height_window", result.height_window)}) {
+        if (window > ny * result.grid + alignment)
+            config.fail(key, "the window is wider than the y period; take a smaller one");
+    }
+    if (result.phi_x_edge == WindowEdge::interior && result.phi_window > nx * result.grid + alignment) {
+        config.fail("phi_x_edge", "no window lies in the region; take a smaller phi_window or a longer region");
+    }
+}
+
+void read_voxels(const Config& config, AnalysisConfig& result) {
+    if (!config.has("voxels_per_dp")) return;
+    result.voxels_per_dp.clear();
+    for (const double n : config.quantities("voxels_per_dp", Dimension::none, 0, {.lower = 1, .upper = 1000})) {
+        if (!is_whole(n))
+            config.fail("voxels_per_dp", fmt::format("{} is no whole number; give a list like [10, 20]", n));
+        result.voxels_per_dp.push_back(static_cast<int>(std::lround(n)));
+    }
+}
+
+void check_voxels(const Config& config, const AnalysisConfig& result) {
+    const double d = result.particle_diameter;
+    for (const int n : result.voxels_per_dp) {
+        for (const auto& [name, length] :
+             {std::pair("y_period", result.y_period / d), std::pair("phi_window", result.phi_window),
+              std::pair("height_window", result.height_window)}) {
+            if (!is_whole(length * n)) {
+                config.fail(
+                    "voxels_per_dp",
+                    fmt::format("{} is {:.6g} voxels at {} per d_p; choose a number that divides it into whole voxels",
+                                name, length * n, n));
+            }
+        }
+        if (result.clearance / d * n < 1)
+            config.fail("voxels_per_dp", fmt::format("h_b is less than one voxel at {} per d_p; take more", n));
+        const double voxels = ((result.x_end - result.x_begin) / d + result.phi_window + result.height_window) * n;
+        if (voxels > 1e9 || result.y_period / d * n > 1e9)
+            config.fail("voxels_per_dp", fmt::format("the region has too many voxels at {} per d_p; take fewer", n));
+    }
+}
+
+void read_chambers(const Config& config, AnalysisConfig& result) {
+    const double d = result.particle_diameter;
+    result.density_threshold = config.number_or("density_threshold", 0.1, {.lower = 0, .upper = 1});
+    result.chamber_x_edge = config.choice_or("chamber_x_edge", Words{"centre", "inside"}, "centre") == "inside"
+                                ? ChamberEdge::inside
+                                : ChamberEdge::centre;
+    result.chamber_min_diameter = diameters_or(config, "chamber_min_diameter", d, 0, Range::not_negative());
+    result.chamber_f = config.number_or("chamber_f", 1, Range::not_negative());
+    result.chamber_persistence = diameters_or(config, "chamber_persistence", d, 0.05, Range::not_negative());
+}
+
+void read_metrics(const Config& config, AnalysisConfig& result) {
+    const double d = result.particle_diameter;
+    result.crop_first = config.boolean_or("crop_first", false);
+    result.contact_factor = config.number_or("contact_factor", 1.005, {.lower = 0, .upper = 10, .lower_open = true});
+    result.contact_mode = config.choice_or("contact_mode", Words{"dp", "radii"}, "dp") == "radii"
+                              ? ContactMode::radii
+                              : ContactMode::particle_diameter;
+    result.grid = diameters_or(config, "grid", d, 1);
+    result.phi_window = diameters_or(config, "phi_window", d, 3);
+    result.height_window = diameters_or(config, "height_window", d, 1);
+    result.phi_x_edge = config.choice_or("phi_x_edge", Words{"overhang", "interior"}, "overhang") == "interior"
+                            ? WindowEdge::interior
+                            : WindowEdge::overhang;
+    const Range bin = {.lower = 1e-4, .upper = 1e4};
+    result.z_bin = diameters_or(config, "z_bin", d, 0.1, bin);
+    result.height_bin = diameters_or(config, "height_bin", d, 0.25, bin);
+    result.angle_bin = degrees_or(config, "angle_bin", 10, {.lower = 0.01, .upper = 90});
+    result.bin_tol = config.number_or("bin_tol", 1e-6, {.lower = 0, .upper = 0.01});
+}
+
+}  // namespace
+
+AnalysisConfig read_analysis_config(const Config& given, const SourceInfo& info) {
+    Config config = given;
+    config.set_plain_is_si(true);
+    AnalysisConfig result;
+    const auto positive = Range::positive();
+    result.particle_diameter = own_or_stated(config, "d_p", Dimension::length, info.particle_diameter, positive);
+    config.set_particle_diameter(result.particle_diameter);
+    result.density = own_or_stated(config, "density", Dimension::density, info.density, positive);
+    result.clearance = own_or_stated(config, "h_b", Dimension::length, info.clearance, positive);
+    result.y_min = own_or_stated(config, "y_min", Dimension::length, info.y_min);
+    result.y_period = own_or_stated(config, "y_period", Dimension::length, info.y_period, positive);
+    read_metrics(config, result);
+    read_chambers(config, result);
+    read_voxels(config, result);
+    read_region(config, info, result);
+    config.finish();
+    check_cells(config, result);
+    check_voxels(config, result);
+    return result;
+}
+
+ColumnNames read_column_names(const Config& config) {
+    const Config columns = config.section_or_empty("columns");
+    ColumnNames names;
+    for (const auto& [key, name] : {std::pair("x", &names.x), std::pair("y", &names.y), std::pair("z", &names.z),
+                                    std::pair("radius", &names.radius), std::pair("diameter", &names.diameter)}) {
+        if (columns.has(key)) *name = columns.text(key);
+    }
+    if (!names.radius.empty() && !names.diameter.empty()) {
+        columns.fail("diameter", "a radius column is named too; name the one that holds the size");
+    }
+    return names;
+}
+
+}  // namespace recoat

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "analyzer/configuration.hpp"
+#include "analyzer/fields/layer.hpp"
+#include "analyzer/fields/map.hpp"
+
+namespace recoat {
+
+/// The voxel forms of packing density and surface height, at the same nodes as the exact ones.
+struct VoxelMaps {
+    Map phi;     ///< solid share of the voxels whose centre is in the window box [-]
+    Map height;  ///< top face of the highest solid voxel with its centre over the square [d_p]
+};
+
+/// Voxels of side d_p / voxels_per_dp, aligned with the region, the period and the base.
+[[nodiscard]] VoxelMaps voxel_maps(const Layer& layer, const AnalysisConfig& config, int voxels_per_dp);
+
+}  // namespace recoat

@@ -1,0 +1,129 @@
+#include "analyzer/fields/voxel_mask.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+
+#include <tbb/parallel_for.h>
+
+#include "analyzer/fields/row_lists.hpp"
+
+namespace recoat {
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "a column of a leaf is one byte of its mask");
+
+using Leaf = openvdb::MaskTree::LeafNodeType;
+constexpr int leaf_side = Leaf::DIM;
+constexpr int slab_side = 128;  ///< voxels: one lower internal node of the tree, so that merging moves whole nodes
+
+int floor_to_leaf(int index) { return index & ~(leaf_side - 1); }
+
+/// Voxel centres in [low, high] as a range of indices, clipped to [begin, end).
+RowRange voxels_between(double low, double high, int n, int begin, int end) {
+    return {std::max(static_cast<int>(std::ceil(low * n - 0.5)), begin),
+            std::min(static_cast<int>(std::floor(high * n - 0.5)), end - 1)};
+}
+
+/// One sphere, at one of its images along y.
+struct Ball {
+    double x, y, z, radius;
+};
+
+/// Turns on the voxels of a sphere within a box of the grid, leaf by leaf.
+class Rasteriser {
+public:
+    Rasteriser(openvdb::MaskTree& tree, int n) : accessor_(tree), n_(n) {}
+
+    void add(const Ball& ball, RowRange i, RowRange j) {
+        for (int i_leaf = floor_to_leaf(i.first); i_leaf <= i.last; i_leaf += leaf_side) {
+            for (int j_leaf = floor_to_leaf(j.first); j_leaf <= j.last; j_leaf += leaf_side) {
+                add_block(ball, i, j, i_leaf, j_leaf);
+            }
+        }
+    }
+
+private:
+    /// Spans of solid voxels in the columns of one stack of leaves.
+    void add_block(const Ball& ball, RowRange i, RowRange j, int i_leaf, int j_leaf) {
+        std::array<RowRange, leaf_side * leaf_side> spans;
+        int lowest = std::numeric_limits<int>::max(), highest = -1;
+        for (int a = 0; a < leaf_side; ++a) {
+            for (int b = 0; b < leaf_side; ++b) {
+                RowRange& span = spans[a * leaf_side + b];
+                span = {};
+                if (i_leaf + a < i.first || i_leaf + a > i.last || j_leaf + b < j.first || j_leaf + b > j.last)
+                    continue;
+                span = span_of(ball, i_leaf + a, j_leaf + b);
+                if (span.last < span.first) continue;
+                lowest = std::min(lowest, span.first);
+                highest = std::max(highest, span.last);
+            }
+        }
+        for (int k_leaf = floor_to_leaf(lowest); k_leaf <= highest; k_leaf += leaf_side) {
+            fill(*accessor_.touchLeaf({i_leaf, j_leaf, k_leaf}), spans, k_leaf);
+        }
+    }
+
+    [[nodiscard]] RowRange span_of(const Ball& ball, int i, int j) const {
+        const double dx = (i + 0.5) / n_ - ball.x, dy = (j + 0.5) / n_ - ball.y;
+        const double square = ball.radius * ball.radius - dx * dx - dy * dy;
+        if (square < 0) return {};
+        const double half = std::sqrt(square);
+        return voxels_between(ball.z - half, ball.z + half, n_, 0, std::numeric_limits<int>::max());
+    }
+
+    static void fill(Leaf& leaf, const std::array<RowRange, leaf_side * leaf_side>& spans, int k_leaf) {
+        for (int column = 0; column < leaf_side * leaf_side; ++column) {
+            const int first = std::max(spans[column].first - k_leaf, 0);
+            const int last = std::min(spans[column].last - k_leaf, leaf_side - 1);
+            if (last < first) continue;
+            const unsigned bits = (0xFFu >> (leaf_side - 1 - last)) & (0xFFu << first);
+            leaf.getValueMask().getWord<std::uint8_t>(column) |= static_cast<std::uint8_t>(bits);
+        }
+    }
+
+    openvdb::tree::ValueAccessor<openvdb::MaskTree> accessor_;
+    int n_;
+};
+
+/// Adds the images of sphere `p` that reach into the period, within the voxels `slab` along x.
+void add_sphere(Rasteriser& rasteriser, const Layer& layer, std::size_t p, int n, RowRange slab) {
+    const double r = layer.radius[p];
+    const int period = static_cast<int>(std::lround(layer.width * n));
+    const RowRange i = voxels_between(layer.x[p] - r, layer.x[p] + r, n, slab.first, slab.last + 1);
+    const int turns = static_cast<int>(std::ceil(r / layer.width));
+    for (int turn = -turns; turn <= turns; ++turn) {
+        const double y = layer.y[p] + turn * layer.width;
+        const RowRange j = voxels_between(y - r, y + r, n, 0, period);
+        if (i.first <= i.last && j.first <= j.last) rasteriser.add({layer.x[p], y, layer.z[p], r}, i, j);
+    }
+}
+
+}  // namespace
+
+openvdb::MaskTree voxel_mask(const Layer& layer, int voxels_per_dp, int i_begin, int i_end) {
+    const int n = voxels_per_dp;
+    const auto slab_of = [](int i) { return static_cast<int>(std::floor(static_cast<double>(i) / slab_side)); };
+    const int first_slab = slab_of(i_begin), slabs = slab_of(i_end - 1) - first_slab + 1;
+    std::vector<RowRange> ranges(layer.size());
+    for (std::size_t p = 0; p < layer.size(); ++p) {
+        const double x = layer.x[p], r = layer.radius[p];
+        const RowRange i = voxels_between(x - r, x + r, n, i_begin, i_end);
+        if (i.first <= i.last) ranges[p] = {slab_of(i.first) - first_slab, slab_of(i.last) - first_slab};
+    }
+    const RowLists lists(ranges, slabs);
+    std::vector<openvdb::MaskTree> trees(slabs);
+    tbb::parallel_for(0, slabs, [&](int s) {
+        Rasteriser rasteriser(trees[s], n);
+        const int begin = (first_slab + s) * slab_side;
+        const RowRange slab = {std::max(begin, i_begin), std::min(begin + slab_side, i_end) - 1};
+        for (const std::size_t p : lists.items(s)) add_sphere(rasteriser, layer, p, n, slab);
+    });
+    openvdb::MaskTree whole;
+    for (openvdb::MaskTree& tree : trees) whole.merge(tree, openvdb::MERGE_ACTIVE_STATES);
+    return whole;
+}
+
+}  // namespace recoat

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "analyzer/analysis.hpp"
+
+namespace recoat {
+
+/// Where an analysis comes from.
+struct Provenance {
+    std::string file;    ///< of the particles, as given
+    std::string format;  ///< name of the reader
+};
+
+/// Writes an analysis as HDF5: /particles and /maps as arrays, one group of columns per metric, /voxel/N with the voxel
+/// forms, /config with the resolved configuration as attributes. Every array carries its unit and its definition as
+/// attributes. Existing files are replaced. Throws InputError when the file cannot be written.
+void write_hdf5_report(const std::filesystem::path& path, const Analysis& analysis, const AnalysisConfig& config,
+                       const Provenance& provenance);
+
+}  // namespace recoat

@@ -1,0 +1,171 @@
+#include "analyzer/output/json_report.hpp"
+
+namespace recoat {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+template <class Value>
+Json or_null(const std::optional<Value>& value) {
+    return value ? Json(*value) : Json(nullptr);
+}
+
+Json to_json(const BoxStats& stats) {
+    return {{"n", stats.n},
+            {"mean", stats.mean},
+            {"median", stats.median},
+            {"q1", stats.q1},
+            {"q3", stats.q3},
+            {"iqr", stats.iqr},
+            {"iqr_over_median", or_null(stats.iqr_over_median)},
+            {"whisker_lo", stats.whisker_lo},
+            {"whisker_hi", stats.whisker_hi},
+            {"n_outliers", stats.n_outliers},
+            {"min", stats.min},
+            {"max", stats.max}};
+}
+
+Json to_json(const HeightMetrics& height) {
+    return {{"empty_fraction", height.empty_fraction},
+            {"bin_upper_edges", height.bin_upper_edges},
+            {"fraction", height.fraction},
+            {"mean", height.mean},
+            {"max", height.max},
+            {"Ra", height.roughness},
+            {"Ra_nonempty", height.roughness_nonempty}};
+}
+
+Json to_json(const OrientationMetrics& orientation) {
+    Json groups = Json::object();
+    for (const OrientationGroup& group : orientation.groups) {
+        groups[std::string(group.name)] = {{"particles", group.particles},
+                                           {"particles_without_angle", group.particles_without_angle},
+                                           {"counts", group.counts},
+                                           {"fraction_of_all", group.fraction_of_all}};
+    }
+    return groups;
+}
+
+Json clusters_to_json(const Analysis& analysis) {
+    const CoordinationMetrics& coordination = analysis.coordination;
+    const ClusterSizeMetrics& sizes = analysis.cluster_sizes;
+    Json fractions = Json::object();
+    for (const auto& [size, fraction] : sizes.size_fraction) fractions[std::to_string(size)] = fraction;
+    return {{"n_particles", coordination.n_particles},
+            {"n_contacts", coordination.n_contacts},
+            {"cn_mean", coordination.cn_mean},
+            {"cn_counts", coordination.cn_counts},
+            {"cn_fraction", coordination.cn_fraction},
+            {"n_clusters", sizes.n_clusters},
+            {"n_percolating", sizes.n_percolating},
+            {"n_isotropic", sizes.n_isotropic},
+            {"max_cluster_size", sizes.max_cluster_size},
+            {"size_fraction", fractions},
+            {"orientation_bin_edges", analysis.orientation.bin_edges},
+            {"orientation", to_json(analysis.orientation)}};
+}
+
+Json to_json(const VerticalMetrics& vertical) {
+    Json json = {{"bin_centres", vertical.bin_centres}, {"fraction", vertical.fraction}};
+    if (vertical.summary) {
+        json["mean"] = vertical.summary->mean;
+        json["max"] = vertical.summary->max;
+        json["fraction_above_1dp"] = vertical.summary->fraction_above_1dp;
+        json["fraction_touching_base"] = vertical.summary->fraction_touching_base;
+    }
+    return json;
+}
+
+Json to_json(const TotalsMetrics& totals) {
+    Json json = {{"volume_whole_m3", totals.volume_whole},
+                 {"volume_clipped_m3", totals.volume_clipped},
+                 {"area_m2", totals.area},
+                 {"mass_per_area", totals.mass_per_area},
+                 {"mass_per_area_clipped", totals.mass_per_area_clipped},
+                 {"layer_phi", totals.layer_phi}};
+    if (totals.bed) {
+        json["eq14_clipped"] = totals.bed->clipped;
+        json["eq14_centre"] = totals.bed->centre;
+        json["eq14_all"] = totals.bed->all;
+    }
+    return json;
+}
+
+Json to_json(const std::vector<VoxelMetrics>& voxel) {
+    Json json = Json::object();
+    for (const VoxelMetrics& metrics : voxel) {
+        json[std::to_string(metrics.voxels_per_dp)] = {{"phi", to_json(metrics.phi)},
+                                                       {"phi_max_error", metrics.phi_error.max},
+                                                       {"phi_rms_error", metrics.phi_error.rms},
+                                                       {"height", to_json(metrics.height)},
+                                                       {"height_max_error", metrics.height_error.max}};
+    }
+    return json;
+}
+
+Json to_json(const Map& map) {
+    Json rows = Json::array();
+    for (int ix = 0; ix < map.nx; ++ix) {
+        const auto begin = map.values.begin() + static_cast<std::ptrdiff_t>(ix) * map.ny;
+        rows.push_back(std::vector<double>(begin, begin + map.ny));
+    }
+    return rows;
+}
+
+Json particles_to_json(const Analysis& analysis) {
+    Json number = Json::array(), size = Json::array(), angle = Json::array();
+    for (std::size_t i = 0; i < analysis.layer.size(); ++i) {
+        const Cluster& cluster = analysis.clusters.cluster[analysis.clusters.of_particle[i]];
+        number.push_back(analysis.contacts.coordination_number(i));
+        size.push_back(cluster.size);
+        angle.push_back(or_null(cluster.angle));
+    }
+    return {{"cn", number}, {"cluster_size", size}, {"cluster_angle", angle}};
+}
+
+}  // namespace
+
+Json json_config(const AnalysisConfig& config) {
+    return {{"d_p", config.particle_diameter},
+            {"density", config.density},
+            {"h_b", config.clearance},
+            {"x_range", {config.x_begin, config.x_end}},
+            {"y_min", config.y_min},
+            {"y_period", config.y_period},
+            {"crop_first", config.crop_first},
+            {"contact_factor", config.contact_factor},
+            {"contact_mode", config.contact_mode == ContactMode::radii ? "radii" : "dp"},
+            {"grid", config.grid},
+            {"phi_window", config.phi_window},
+            {"height_window", config.height_window},
+            {"density_threshold", config.density_threshold},
+            {"phi_x_edge", config.phi_x_edge == WindowEdge::interior ? "interior" : "overhang"},
+            {"chamber_x_edge", config.chamber_x_edge == ChamberEdge::inside ? "inside" : "centre"},
+            {"chamber_min_diameter", config.chamber_min_diameter},
+            {"chamber_f", config.chamber_f},
+            {"chamber_persistence", config.chamber_persistence},
+            {"z_bin", config.z_bin},
+            {"height_bin", config.height_bin},
+            {"angle_bin", config.angle_bin},
+            {"bin_tol", config.bin_tol},
+            {"voxels_per_dp", config.voxels_per_dp}};
+}
+
+Json json_report(const Analysis& analysis, const AnalysisConfig& config) {
+    return {{"units", "lengths in d_p"},
+            {"config", json_config(config)},
+            {"clusters", clusters_to_json(analysis)},
+            {"vertical", to_json(analysis.vertical)},
+            {"phi_exact", to_json(analysis.phi_exact)},
+            {"phi_centre", to_json(analysis.phi_centre)},
+            {"height", to_json(analysis.height)},
+            {"totals", to_json(analysis.totals)},
+            {"voxel", to_json(analysis.voxel)},
+            {"maps",
+             {{"phi_exact", to_json(analysis.packing.exact)},
+              {"phi_centre", to_json(analysis.packing.centre)},
+              {"height", to_json(analysis.height_map)}}},
+            {"particles", particles_to_json(analysis)}};
+}
+
+}  // namespace recoat

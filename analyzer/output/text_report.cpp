@@ -1,0 +1,90 @@
+#include "analyzer/output/text_report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace recoat {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Smallest and largest of a value over the particles; null without particles.
+template <class Value>
+Json extent(const Source& source, Value value) {
+    if (source.position.empty()) return nullptr;
+    double low = value(0), high = low;
+    for (std::size_t i = 1; i < source.position.size(); ++i) {
+        low = std::min(low, value(i));
+        high = std::max(high, value(i));
+    }
+    return {low, high};
+}
+
+Json known_or_null(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
+
+Json description(const Source& source, const std::string& file) {
+    const auto& p = source.position;
+    Json json = {{"file", file}, {"format", source.format}, {"particles", p.size()}};
+    json["x [m]"] = extent(source, [&](std::size_t i) { return p[i].x; });
+    json["y [m]"] = extent(source, [&](std::size_t i) { return p[i].y; });
+    json["z [m]"] = extent(source, [&](std::size_t i) { return p[i].z; });
+    json["radius [m]"] = extent(source, [&](std::size_t i) { return source.radius[i]; });
+    json["d_p [m]"] = known_or_null(source.info.particle_diameter);
+    json["density [kg/m3]"] = known_or_null(source.info.density);
+    json["h_b [m]"] = known_or_null(source.info.clearance);
+    json["y_min [m]"] = known_or_null(source.info.y_min);
+    json["y_period [m]"] = known_or_null(source.info.y_period);
+    json["blade_start [m]"] = known_or_null(source.info.blade_start);
+    json["spread_length [m]"] = known_or_null(source.info.spread_length);
+    for (const auto& [name, value] : source.facts) json[name] = value;
+    return json;
+}
+
+std::string as_text(const Json& value) {
+    if (value.is_null()) return "not in the file";
+    if (value.is_string()) return value.get<std::string>();
+    if (value.is_array()) return fmt::format("{:.9g} ... {:.9g}", value[0].get<double>(), value[1].get<double>());
+    if (value.is_number_float()) return fmt::format("{:.9g}", value.get<double>());
+    return value.dump();
+}
+
+}  // namespace
+
+std::string describe_source(const Source& source, const std::string& file, bool as_json) {
+    const Json json = description(source, file);
+    if (as_json) return json.dump(1) + "\n";
+    std::string text;
+    for (const auto& [name, value] : json.items()) text += fmt::format("{:20} {}\n", name, as_text(value));
+    return text;
+}
+
+std::string text_summary(const Analysis& analysis, const AnalysisConfig& config) {
+    const double d = config.particle_diameter;
+    const Layer& layer = analysis.layer;
+    const BoxStats& phi = analysis.phi_exact;
+    std::string text =
+        fmt::format("region             x = {:.9g} ... {:.9g} m ({:.6g} d_p), y period {:.9g} m ({:.6g} d_p)\n",
+                    config.x_begin, config.x_end, (config.x_end - config.x_begin) / d, config.y_period, layer.width);
+    text += fmt::format("particles          {} in the region, {} in the file\n", analysis.coordination.n_particles,
+                        layer.size());
+    text += fmt::format("packing density    median {:.4f}, IQR/median {}, layer {:.4f}\n", phi.median,
+                        phi.iqr_over_median ? fmt::format("{:.4f}", *phi.iqr_over_median) : "undefined",
+                        analysis.totals.layer_phi);
+    text += fmt::format("surface height     mean {:.4f} d_p, Ra {:.4f} d_p, empty {:.4f}\n", analysis.height.mean,
+                        analysis.height.roughness, analysis.height.empty_fraction);
+    text += fmt::format("coordination       mean {:.4f}\n", analysis.coordination.cn_mean);
+    text += fmt::format("clusters           {} of two particles or more, largest {}\n",
+                        analysis.cluster_sizes.n_clusters, analysis.cluster_sizes.max_cluster_size);
+    for (const VoxelMetrics& voxel : analysis.voxel) {
+        text += fmt::format(
+            "voxels {:4} per d_p  packing density within {:.2g} (rms {:.2g}), height within {:.2g} d_p of the exact "
+            "ones\n",
+            voxel.voxels_per_dp, voxel.phi_error.max, voxel.phi_error.rms, voxel.height_error.max);
+    }
+    return text;
+}
+
+}  // namespace recoat
