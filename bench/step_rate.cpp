@@ -1,0 +1,104 @@
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+#include <CLI/CLI.hpp>
+
+#include "common/error.hpp"
+#include "solver/contact/material.hpp"
+#include "solver/engine/engine.hpp"
+
+namespace {
+
+using namespace recoat;
+
+/// Columns x,y,z,radius[,vx,vy,vz] of a CSV file with one header line; SI units.
+ParticleTable read_bed(const std::string& path) {
+    std::ifstream file(path);
+    if (!file) throw InputError(path + ": cannot be opened; give a CSV file with columns x,y,z,radius[,vx,vy,vz]");
+    ParticleTable table;
+    std::string line;
+    std::getline(file, line);
+    while (std::getline(file, line)) {
+        std::istringstream fields(line);
+        std::string field;
+        double v[7] = {0, 0, 0, 0, 0, 0, 0};
+        for (int k = 0; k < 7 && std::getline(fields, field, ','); ++k) v[k] = std::stod(field);
+        table.position.push_back({v[0], v[1], v[2]});
+        table.radius.push_back(v[3]);
+        table.velocity.push_back({v[4], v[5], v[6]});
+        table.angular_velocity.push_back({});
+    }
+    return table;
+}
+
+/// The material of the paper's Table 1 at a stiffness ratio of 0.001.
+ContactModel paper_model(double bond_number) {
+    ContactModel model;
+    model.density = 4430;
+    model.youngs_modulus = 110e9;
+    model.poisson_ratio = 0.3;
+    model.restitution = 0.4;
+    model.sliding_friction = 0.3;
+    model.rolling_friction = 0.01;
+    model.stiffness_ratio = 0.001;
+    model.hamaker = hamaker_from_bond(bond_number, 25e-6, model.density, 9.81, model.minimum_separation);
+    return model;
+}
+
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+}  // namespace
+
+/// Particle-steps per second on a settled bed between two end walls on a base, periodic in y; the first steps are
+/// not timed.
+int main(int argc, char** argv) {
+    std::string path;
+    double bond = 0, length = 1e-3, width = 1e-3, time_step = 2e-8;
+    std::int64_t warm = 500, steps = 2000;
+    int threads = 1;
+    CLI::App app("Particle-steps per second on a settled bed");
+    app.add_option("bed", path, "CSV file: x,y,z,radius[,vx,vy,vz], SI units")->required();
+    app.add_option("--bond", bond, "Bond number");
+    app.add_option("--length", length, "distance of the end walls [m]");
+    app.add_option("--width", width, "period in y [m]");
+    app.add_option("--time-step", time_step, "[s]");
+    app.add_option("--warm", warm, "steps before the clock starts");
+    app.add_option("--steps", steps, "steps timed");
+    app.add_option("--threads", threads, "threads");
+    CLI11_PARSE(app, argc, argv);
+    return run_program("step-rate", [&] {
+        const ParticleTable bed = read_bed(path);
+        EngineSetup setup;
+        setup.model = paper_model(bond);
+        setup.gravity = {0, 0, -9.81};
+        setup.time_step = time_step;
+        setup.diameter = 5e-5;
+        setup.y_period = width;
+        setup.domain_lower = {-1, -1, -1};
+        setup.domain_upper = {1, 1, 1};
+        setup.threads = threads;
+        const auto plane = [](const char* name, Vec3 point, Vec3 normal) {
+            return Wall{name, WallKind::plane, point, normal, {}, {}, {}, true};
+        };
+        const auto engine = make_engine(
+            setup, bed,
+            {plane("base", {}, {0, 0, 1}), plane("left", {}, {1, 0, 0}), plane("right", {length, 0, 0}, {-1, 0, 0})});
+        engine->advance(warm);
+        const double start = seconds();
+        engine->advance(steps);
+        const double wall = seconds() - start;
+        const auto contacts = engine->contacts();
+        double touching = 0;
+        for (const ContactState& contact : contacts) touching += contact.separation < 0 && contact.second >= 0 ? 2 : 0;
+        std::printf(
+            "{\"particles\": %zu, \"bond_number\": %g, \"threads\": %d, \"steps\": %lld, \"seconds\": %.4f, "
+            "\"particle_steps_per_second\": %.4g, \"coordination_number\": %.3f, \"kinetic_energy\": %.4g}\n",
+            bed.size(), bond, threads, static_cast<long long>(steps), wall,
+            static_cast<double>(bed.size()) * static_cast<double>(steps) / wall,
+            touching / static_cast<double>(bed.size()), engine->kinetic_energy());
+        return 0;
+    });
+}

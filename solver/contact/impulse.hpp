@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cmath>
+
+#include "solver/contact/attraction.hpp"
+
+namespace recoat {
+
+/// The discrete-gradient impulse, for contact and non-contact pairs alike [docs/physics.md section 2.5]:
+/// solve  s1 = s0 + u* dt - b F(s0, s1),  b = dt^2 / (2 m*).  The energy of an isolated pair is then exact at any step.
+///
+/// `iterations` of the fixed point contract by b F_o / s_min each: enough for small steps.
+template <int iterations>
+struct FixedPointImpulse {
+    static constexpr bool half_step_positions = true;
+    Attraction attraction;
+    double time_step;
+
+    RECOAT_HD double operator()(double s0, double u, const Coefficients& c) const {
+        const double b = 0.5 * time_step * time_step * c.inverse_mass;
+        const double free = s0 + u * time_step;
+        double force = attraction.mean(s0, free, c);
+        for (int i = 0; i < iterations; ++i) force = attraction.mean(s0, free - b * force, c);
+        return force;
+    }
+};
+
+/// The same equation by a bracketed secant (Illinois), for steps where the fixed point converges slowly or not at all.
+struct BracketedImpulse {
+    static constexpr bool half_step_positions = true;
+    static constexpr int iterations = 14;
+    Attraction attraction;
+    double time_step;
+
+    RECOAT_HD double operator()(double s0, double u, const Coefficients& c) const {
+        const double b = 0.5 * time_step * time_step * c.inverse_mass;
+        const double free = s0 + u * time_step;
+        const double strongest = c.attraction_gap > c.attraction_contact ? c.attraction_gap : c.attraction_contact;
+        double lower = free - b * strongest, upper = free;
+        double below = lower - free + b * attraction.mean(s0, lower, c);
+        double above = b * attraction.mean(s0, upper, c);
+        double root = upper;
+        int side = 0;
+        for (int i = 0; i < iterations; ++i) {
+            const double slope = above - below;
+            root = slope > 0 ? (lower * above - upper * below) / slope : upper;
+            const double value = root - free + b * attraction.mean(s0, root, c);
+            const bool high = value > 0;
+            upper = high ? root : upper;
+            lower = high ? lower : root;
+            // An end kept twice has its value halved, or the secant would creep.
+            below = high ? (side == 1 ? 0.5 * below : below) : value;
+            above = high ? value : (side == -1 ? 0.5 * above : above);
+            side = high ? 1 : -1;
+        }
+        return attraction.mean(s0, root, c);
+    }
+};
+
+/// The plain explicit force at the separation of the step's start. Kept for comparison.
+struct ExplicitImpulse {
+    static constexpr bool half_step_positions = false;
+    Attraction attraction;
+    double time_step;
+
+    RECOAT_HD double operator()(double s0, double, const Coefficients& c) const { return attraction.force(s0, c); }
+};
+
+/// The paper's prediction-correction [eq. 9] as read in docs/physics.md section 2.5: the predicted travel s0 -> s0 + u*
+/// dt does its work, out of contact only; where the well cannot be left, the velocity is reflected. Kept for
+/// comparison.
+struct PredictionCorrectionImpulse {
+    static constexpr bool half_step_positions = false;
+    Attraction attraction;
+    double time_step;
+
+    RECOAT_HD double operator()(double s0, double u, const Coefficients& c) const {
+        const double end = s0 + u * time_step;
+        const double clipped = end > 0 ? end : 0;
+        const double work = attraction.well(clipped, c) - attraction.well(s0 > 0 ? s0 : 0, c);
+        const double square = u * u + 2 * work * c.inverse_mass;
+        const double speed = std::sqrt(square > 0 ? square : 0);
+        const double corrected = square > 0 ? (u < 0 ? -speed : speed) : -u;
+        const double force = (u - corrected) / (c.inverse_mass * time_step);
+        return s0 < 0 ? c.attraction_contact : (u != 0 ? force : 0);
+    }
+};
+
+}  // namespace recoat

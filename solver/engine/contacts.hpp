@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "solver/engine/particles.hpp"
+
+namespace recoat {
+
+/// Forces of one contact, as the particles gather them: one cache line, added up as one vector.
+///
+/// force on the first [N], load = rolling length times friction load (length 1 where the particle gives it) [N m or N],
+/// torque of friction on the first [N m], arm of the second over arm of the first [-].
+struct ContactForce {
+    double value[8] = {};
+
+    ContactForce() = default;
+    RECOAT_HD ContactForce(Vec3 force, double load, Vec3 torque, double arm_ratio)
+        : value{force.x, force.y, force.z, load, torque.x, torque.y, torque.z, arm_ratio} {}
+
+    RECOAT_HD Vec3 force() const { return {value[0], value[1], value[2]}; }
+    RECOAT_HD double load() const { return value[3]; }
+    RECOAT_HD Vec3 torque() const { return {value[4], value[5], value[6]}; }
+    RECOAT_HD double arm_ratio() const { return value[7]; }
+};
+
+/// Contact arrays without ownership.
+struct ContactView {
+    const std::int32_t* first;
+    const std::int32_t* second;
+    double *slip_x, *slip_y, *slip_z;
+    double* attraction;
+    double *lost_normal, *lost_tangential, *wall_work;
+    double *normal_x, *normal_y, *normal_z, *separation;
+    ContactForce* force;
+    Row* rolling;  ///< w: energy that relative rolling took [J]
+    Row* impulse;
+};
+
+/// The close list: pairs [0, pairs) sorted by (first, second), then each wall's particles in `wall_begin` order.
+///
+/// History stays with the contact; what only one step needs is overwritten by the passes.
+struct Contacts {
+    std::size_t pairs = 0;
+    std::vector<std::size_t> wall_begin;         ///< [walls + 1] where each wall's contacts start
+    std::vector<std::int32_t> first, second;     ///< second = -1 - wall for walls
+    std::vector<double> slip_x, slip_y, slip_z;  ///< tangential displacement of the first relative to the second [m]
+    std::vector<double> attraction;              ///< mean attraction of the last step [N]
+    std::vector<double> lost_normal, lost_tangential;  ///< energy since the list was made [J]
+    std::vector<double> wall_work;                     ///< work of the wall since then [J]
+    std::vector<double> normal_x, normal_y, normal_z, separation;
+    std::vector<ContactForce> force;
+    std::vector<Row> rolling;  ///< torque of relative rolling on the first [N m]
+    std::vector<Row> impulse;  ///< of the attraction on the first [N s]
+
+    std::vector<std::size_t> incidence_begin;  ///< [N + 1]
+    std::vector<std::int32_t> incidence;       ///< 2 contact + (1 when the particle is the second)
+
+    [[nodiscard]] std::size_t size() const { return first.size(); }
+
+    void resize(std::size_t n, bool cohesive, bool relative_rolling) {
+        first.resize(n);
+        second.resize(n);
+        for (auto* array : {&slip_x, &slip_y, &slip_z, &attraction, &lost_normal, &lost_tangential, &wall_work})
+            array->assign(n, 0.0);
+        rolling.assign(relative_rolling ? n : 0, Row{});
+        resize_scratch(cohesive);
+    }
+
+    /// Room for what the passes write anew in every step.
+    void resize_scratch(bool cohesive) {
+        for (auto* array : {&normal_x, &normal_y, &normal_z, &separation}) array->resize(size());
+        force.resize(size());
+        impulse.resize(cohesive ? size() : 0);
+    }
+
+    void clear_counters() {
+        for (auto* array : {&lost_normal, &lost_tangential, &wall_work}) array->assign(size(), 0.0);
+        for (Row& torque : rolling) torque.w = 0;
+    }
+
+    [[nodiscard]] ContactView view() {
+        return {first.data(),      second.data(),     slip_x.data(),      slip_y.data(),
+                slip_z.data(),     attraction.data(), lost_normal.data(), lost_tangential.data(),
+                wall_work.data(),  normal_x.data(),   normal_y.data(),    normal_z.data(),
+                separation.data(), force.data(),      rolling.data(),     impulse.data()};
+    }
+
+    [[nodiscard]] Vec3 slip(std::size_t k) const { return {slip_x[k], slip_y[k], slip_z[k]}; }
+    [[nodiscard]] Vec3 normal(std::size_t k) const { return {normal_x[k], normal_y[k], normal_z[k]}; }
+};
+
+}  // namespace recoat

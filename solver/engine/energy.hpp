@@ -1,0 +1,51 @@
+#pragma once
+
+#include "solver/contact/law.hpp"
+#include "solver/engine/engine.hpp"
+#include "solver/engine/particles.hpp"
+
+namespace recoat {
+
+struct KineticEnergy {
+    double translation = 0, rotation = 0;
+
+    [[nodiscard]] double total() const { return translation + rotation; }
+};
+
+/// Kinetic energy at the time of the positions [J].
+template <class Sizes>
+KineticEnergy kinetic(const Particles& p, const Sizes& sizes) {
+    KineticEnergy sum;
+    for (std::size_t i = 0; i < p.size(); ++i) {
+        sum.translation += 0.5 * sizes.mass_of(p.position[i].w) * squared_norm(p.contact_velocity[i].xyz());
+        sum.rotation += 0.5 * sizes.inertia_of(p.position[i].w) * squared_norm(p.contact_spin[i].xyz());
+    }
+    return sum;
+}
+
+/// Kinetic and gravitational energy; the latter is 0 for centres in the origin [J].
+template <class Sizes>
+EnergyLedger particle_energies(const Particles& p, const Sizes& sizes, Vec3 gravity) {
+    EnergyLedger ledger;
+    const KineticEnergy motion = kinetic(p, sizes);
+    ledger.kinetic_translation = motion.translation;
+    ledger.kinetic_rotation = motion.rotation;
+    for (std::size_t i = 0; i < p.size(); ++i)
+        ledger.gravity -= sizes.mass_of(p.position[i].w) * dot(gravity, p.position[i].xyz());
+    return ledger;
+}
+
+/// Adds what one contact stores: 2/5 k_H d^(5/2), the friction spring, and minus the well of the attraction [J].
+template <bool cohesive>
+void add_contact_energy(EnergyLedger& ledger, const ContactLaw<cohesive>& law, const Attraction& attraction,
+                        double separation, double last_attraction, Vec3 slip, const Coefficients& c) {
+    const double overlap = separation < 0 ? -separation : 0;
+    const double root = std::sqrt(overlap);
+    const double elastic = law.hertz.elastic(overlap, root, c);
+    const auto load = law.friction_load(elastic, overlap, std::sqrt(root), last_attraction, separation, c);
+    ledger.elastic_normal += law.hertz.energy(overlap, c);
+    ledger.elastic_tangential += law.mindlin.energy(slip, load.force, load.overlap);
+    if constexpr (cohesive) ledger.cohesion -= attraction.well(separation, c);
+}
+
+}  // namespace recoat

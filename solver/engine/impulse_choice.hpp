@@ -1,0 +1,43 @@
+#pragma once
+
+#include <algorithm>
+#include <variant>
+
+#include "solver/contact/impulse.hpp"
+#include "solver/contact/model.hpp"
+
+namespace recoat {
+
+/// The scheme of the attraction, chosen once per scene.
+using ImpulseChoice =
+    std::variant<FixedPointImpulse<3>, BracketedImpulse, ExplicitImpulse, PredictionCorrectionImpulse>;
+
+/// Contraction of the fixed point per iteration, dt^2 F_o / (2 m* s_min), at its largest [docs/physics.md section 2.5].
+inline double impulse_contraction(const Coefficients& c, double minimum_separation, double time_step) {
+    return 0.5 * time_step * time_step * c.inverse_mass * c.attraction_gap / minimum_separation;
+}
+
+/// Above this contraction three fixed-point iterations leave more than 1e-4 of the force: take the bracketed secant.
+inline constexpr double largest_contraction = 0.1;
+
+/// `smallest`: radius of the smallest particle [m].
+template <class Sizes>
+ImpulseChoice choose_impulse(const ContactModel& model, double time_step, const Sizes& sizes, double smallest) {
+    const Attraction attraction{model.minimum_separation, model.cut_off};
+    switch (model.scheme) {
+        case CohesionScheme::explicit_force:
+            return ExplicitImpulse{attraction, time_step};
+        case CohesionScheme::prediction_correction:
+            return PredictionCorrectionImpulse{attraction, time_step};
+        case CohesionScheme::discrete_gradient:
+            break;
+    }
+    // The contraction grows as 1/R^2: the smallest particles decide.
+    const double contraction =
+        std::max(impulse_contraction(sizes.of_pair(smallest, smallest), model.minimum_separation, time_step),
+                 impulse_contraction(sizes.of_wall(smallest), model.minimum_separation, time_step));
+    if (contraction < largest_contraction) return FixedPointImpulse<3>{attraction, time_step};
+    return BracketedImpulse{attraction, time_step};
+}
+
+}  // namespace recoat

@@ -1,0 +1,170 @@
+#include <algorithm>
+
+#include "common/error.hpp"
+#include "solver/engine/snapshot.hpp"
+
+namespace recoat {
+
+namespace {
+
+/// One description of a saved snapshot, run once to write and once to read: `archive.reals(name, vector)` and so on.
+template <class Archive, class Self>
+void describe(Archive& archive, Self& s) {
+    archive.integer("step", s.step);
+    archive.integers("particles/id", s.particles.id);
+    archive.rows("particles/position", s.particles.position);
+    archive.rows("particles/velocity", s.particles.velocity);
+    archive.rows("particles/spin", s.particles.spin);
+    archive.rows("particles/contact_velocity", s.particles.contact_velocity);
+    archive.rows("particles/contact_spin", s.particles.contact_spin);
+    archive.rows("particles/acceleration", s.particles.acceleration);
+    archive.rows("lists/far_reference", s.far_reference);
+    archive.reals("lists/lost_rolling", s.lost_rolling);
+    archive.indices("contacts/first", s.contacts.first);
+    archive.indices("contacts/second", s.contacts.second);
+    archive.sizes("contacts/wall_begin", s.contacts.wall_begin);
+    archive.reals("contacts/slip_x", s.contacts.slip_x);
+    archive.reals("contacts/slip_y", s.contacts.slip_y);
+    archive.reals("contacts/slip_z", s.contacts.slip_z);
+    archive.reals("contacts/attraction", s.contacts.attraction);
+    archive.reals("contacts/lost_normal", s.contacts.lost_normal);
+    archive.reals("contacts/lost_tangential", s.contacts.lost_tangential);
+    archive.reals("contacts/wall_work", s.contacts.wall_work);
+    archive.rows("contacts/rolling", s.contacts.rolling);
+    archive.real("totals/lost_normal", s.totals.lost_normal);
+    archive.real("totals/lost_tangential", s.totals.lost_tangential);
+    archive.real("totals/lost_rolling", s.totals.lost_rolling);
+    archive.real("totals/wall_work", s.totals.wall_work);
+    archive.real("totals/removed_with_walls", s.totals.removed_with_walls);
+    archive.real("lists/margin", s.margin);
+    archive.real("lists/travelled", s.travelled);
+    archive.real("lists/last_travel", s.last_travel);
+    archive.real("largest_overlap", s.largest_overlap);
+}
+
+class Writer {
+public:
+    EngineState state;
+
+    void reals(const char* name, const std::vector<double>& v) { state.reals[name] = v; }
+    void integers(const char* name, const std::vector<std::int64_t>& v) { state.integers[name] = v; }
+    void indices(const char* name, const std::vector<std::int32_t>& v) { integers(name, {v.begin(), v.end()}); }
+    void sizes(const char* name, const std::vector<std::size_t>& v) { integers(name, {v.begin(), v.end()}); }
+    void real(const char* name, double v) { reals(name, {v}); }
+    void integer(const char* name, std::int64_t v) { integers(name, {v}); }
+    void rows(const char* name, const std::vector<Row>& v) {
+        std::vector<double> flat;
+        flat.reserve(4 * v.size());
+        for (const Row& row : v) flat.insert(flat.end(), {row.x, row.y, row.z, row.w});
+        reals(name, flat);
+    }
+};
+
+class Reader {
+public:
+    explicit Reader(const EngineState& state) : state_(state) {}
+
+    void reals(const char* name, std::vector<double>& v) { v = find(state_.reals, name); }
+    void integers(const char* name, std::vector<std::int64_t>& v) { v = find(state_.integers, name); }
+    void indices(const char* name, std::vector<std::int32_t>& v) { convert(find(state_.integers, name), v); }
+    void sizes(const char* name, std::vector<std::size_t>& v) { convert(find(state_.integers, name), v); }
+    void real(const char* name, double& v) { v = one(find(state_.reals, name), name); }
+    void integer(const char* name, std::int64_t& v) { v = one(find(state_.integers, name), name); }
+    void rows(const char* name, std::vector<Row>& v) {
+        const std::vector<double>& flat = find(state_.reals, name);
+        v.resize(flat.size() / 4);
+        for (std::size_t i = 0; i < v.size(); ++i)
+            v[i] = {flat[4 * i], flat[4 * i + 1], flat[4 * i + 2], flat[4 * i + 3]};
+    }
+
+private:
+    template <class T>
+    static const std::vector<T>& find(const std::map<std::string, std::vector<T>>& arrays, const char* name) {
+        const auto found = arrays.find(name);
+        if (found == arrays.end())
+            throw InputError(std::string("checkpoint: the array '") + name +
+                             "' is missing; the file is damaged or of another version, start from an earlier one");
+        return found->second;
+    }
+    template <class T>
+    static T one(const std::vector<T>& values, const char* name) {
+        if (values.size() != 1)
+            throw InputError(std::string("checkpoint: '") + name +
+                             "' must hold one value; the file is damaged, start from an earlier one");
+        return values.front();
+    }
+    template <class T>
+    static void convert(const std::vector<std::int64_t>& from, std::vector<T>& to) {
+        to.resize(from.size());
+        std::transform(from.begin(), from.end(), to.begin(), [](std::int64_t v) { return static_cast<T>(v); });
+    }
+
+    const EngineState& state_;
+};
+
+constexpr std::size_t doubles_per_wall = 15;
+
+void put(std::vector<double>& flat, Vec3 v) { flat.insert(flat.end(), {v.x, v.y, v.z}); }
+Vec3 get(const double* flat) { return {flat[0], flat[1], flat[2]}; }
+
+void save_walls(EngineState& state, const std::string& prefix, const std::vector<Wall>& walls) {
+    std::vector<double> geometry;
+    std::vector<std::int64_t> kinds, names, lengths;
+    for (const Wall& wall : walls) {
+        for (const Vec3 v : {wall.point, wall.normal, wall.lower, wall.upper, wall.velocity}) put(geometry, v);
+        kinds.push_back(2 * static_cast<std::int64_t>(wall.kind) + wall.active);
+        lengths.push_back(static_cast<std::int64_t>(wall.name.size()));
+        names.insert(names.end(), wall.name.begin(), wall.name.end());
+    }
+    state.reals[prefix + "/geometry"] = geometry;
+    state.integers[prefix + "/kinds"] = kinds;
+    state.integers[prefix + "/names"] = names;
+    state.integers[prefix + "/name_lengths"] = lengths;
+}
+
+std::vector<Wall> load_walls(const EngineState& state, const std::string& prefix) {
+    const auto& geometry = state.reals.at(prefix + "/geometry");
+    const auto& kinds = state.integers.at(prefix + "/kinds");
+    const auto& names = state.integers.at(prefix + "/names");
+    const auto& lengths = state.integers.at(prefix + "/name_lengths");
+    std::vector<Wall> walls(kinds.size());
+    auto letter = names.begin();
+    for (std::size_t w = 0; w < walls.size(); ++w) {
+        const double* flat = geometry.data() + w * doubles_per_wall;
+        walls[w].kind = static_cast<WallKind>(kinds[w] / 2);
+        walls[w].active = kinds[w] % 2 != 0;
+        walls[w].point = get(flat);
+        walls[w].normal = get(flat + 3);
+        walls[w].lower = get(flat + 6);
+        walls[w].upper = get(flat + 9);
+        walls[w].velocity = get(flat + 12);
+        walls[w].name.assign(letter, letter + lengths[w]);
+        letter += lengths[w];
+    }
+    return walls;
+}
+
+}  // namespace
+
+EngineState Snapshot::save() const {
+    Writer writer;
+    describe(writer, *this);
+    writer.state.integers["contacts/pairs"] = {static_cast<std::int64_t>(contacts.pairs)};
+    writer.state.integers["walls/since"] = walls.since();
+    save_walls(writer.state, "walls/now", walls.now());
+    save_walls(writer.state, "walls/anchor", walls.anchor());
+    return writer.state;
+}
+
+Snapshot::Snapshot(const EngineState& state) : fresh(false) {
+    Reader reader(state);
+    describe(reader, *this);
+    std::int64_t pairs = 0;
+    reader.integer("contacts/pairs", pairs);
+    contacts.pairs = static_cast<std::size_t>(pairs);
+    std::vector<std::int64_t> since;
+    reader.integers("walls/since", since);
+    walls = MovingWalls(load_walls(state, "walls/now"), load_walls(state, "walls/anchor"), since);
+}
+
+}  // namespace recoat
