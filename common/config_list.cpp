@@ -6,7 +6,7 @@
 namespace recoat {
 
 ConfigNode::Pointer Config::take_list(std::string_view key, std::string_view wanted, std::size_t expected_size) const {
-    const auto node = take(key, wanted);
+    auto node = take(key, wanted);
     if (node->kind != ConfigNode::Kind::list) fail_at(*node, key, fmt::format("this is not a list; give {}", wanted));
     if (expected_size != 0 && node->items.size() != expected_size) {
         fail_at(*node, key, fmt::format("the list has {} values; give {}", node->items.size(), wanted));

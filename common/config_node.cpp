@@ -21,7 +21,7 @@ constexpr int deepest_nesting = 32;
     throw InputError(fmt::format("{}:{}: {}", name, line, problem));
 }
 
-std::size_t line_of(const YAML::Node& node) { return static_cast<std::size_t>(node.Mark().line + 1); }
+std::size_t line_of(const YAML::Node& node) { return static_cast<std::size_t>(node.Mark().line) + 1; }
 
 Pointer convert(const YAML::Node& source, const std::string& name, std::size_t line, int depth) {
     if (depth > deepest_nesting) fail_at(name, line, "the values are nested too deeply; simplify the file");
@@ -57,7 +57,7 @@ YAML::Node load(const std::string& text, const Refuse& refuse) {
     try {
         return YAML::Load(text);
     } catch (const YAML::Exception& error) {
-        refuse(static_cast<std::size_t>(error.mark.line + 1), error.msg);
+        refuse(static_cast<std::size_t>(error.mark.line) + 1, error.msg);
         throw;
     }
 }

@@ -8,6 +8,10 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 
 
+def pytest_configure(config):
+    config.addinivalue_line("markers", "slow: takes minutes; left out of 'make test'")
+
+
 @pytest.fixture(scope="session")
 def root():
     """Top folder of the project."""
