@@ -24,25 +24,28 @@ def packed_bed(seed, length, width, count):
 
 
 def spread_layer(seed, bond, length, width, count):
-    """Centres [d_p] of single particles and doublets on the base, doublets turned across x as cohesion grows."""
-    generator = numpy.random.default_rng(seed)
+    """Centres [d_p] of chains on the base, turned across x as cohesion grows, and of the heap before the blade."""
+    generator = numpy.random.default_rng([seed, int(10 * bond)])
+    wanted = min(int((0.6 - 0.0005 * bond) * length * width), count)
     centres = []
-    attempts = 0
-    while len(centres) < count and attempts < 60 * count:
-        attempts += 1
-        first = numpy.array([generator.uniform(0.5, length), generator.uniform(0, width), 0.5])
-        group = [first]
-        if generator.random() < 0.4:
-            angle = generator.uniform(-0.5, 0.5) + (numpy.pi / 2 if bond > 5 else 0)
-            rise = 0.3 if bond > 5 and generator.random() < 0.1 else 0.0
+    for _ in range(60 * wanted):
+        if len(centres) >= wanted:
+            break
+        place = numpy.array([generator.uniform(0.5, length), generator.uniform(0, width), 0.5])
+        group = [place]
+        while generator.random() < 0.45:
+            angle = generator.uniform(-0.9, 0.9) + (numpy.pi / 2 if bond > 5 else 0)
+            rise = 0.4 if bond > 5 and generator.random() < 0.1 else 0.0
             run = numpy.sqrt(1.001**2 - rise**2)
-            group.append(first + [run * numpy.cos(angle), run * numpy.sin(angle), rise])
-        if all(is_free(place, centres, width) for place in group):
+            group.append(group[-1] + [run * numpy.cos(angle), run * numpy.sin(angle), rise])
+        if all(place[2] < 1.0 and is_free(place, centres, width) for place in group):
             centres += group
-    centres = numpy.array(centres)
-    rest = count - len(centres)
-    heap = numpy.column_stack([numpy.full(rest, length + 1.0), numpy.zeros(rest), 0.5 + 1.1 * numpy.arange(rest)])
-    centres = numpy.vstack([centres, heap])[:count]
+    centres = numpy.array(centres)[:count]
+    rest = numpy.arange(count - len(centres))
+    heap = numpy.column_stack(
+        [length + 4.6 + rest // int(width) % 6, 0.5 + rest % int(width), 0.5 + 1.1 * (rest // (6 * int(width)))]
+    )
+    centres = numpy.vstack([centres, heap])
     centres[:, 1] %= width
     return centres
 

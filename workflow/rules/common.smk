@@ -20,8 +20,8 @@ wildcard_constraints:
 Case = namedtuple("Case", "kind bond ratio seed")
 
 ENVIRONMENT = "../envs/python.yaml"
-SOLVER = ancient(f"{config['build_directory']}/bin/recoat-solve")
-ANALYZER = ancient(f"{config['build_directory']}/bin/recoat-analyze")
+SOLVER = ancient(f"{config['build_directory']}/solver/recoat-solve")
+ANALYZER = ancient(f"{config['build_directory']}/analyzer/recoat-analyze")
 
 
 def grid_file(name):
@@ -132,11 +132,19 @@ def case_labels(cases):
     return [{"bond": float(case.bond), "ratio": float(case.ratio), "seed": int(case.seed)} for case in cases]
 
 
+def fill_stage():
+    """The scene's list of stages cut off after its first stage, as a --set value."""
+    with open(config["scene"]) as scene_file:
+        stages = yaml.safe_load(scene_file)["stages"]
+    return yaml.safe_dump(stages[:1], default_flow_style=True, width=float("inf")).strip()
+
+
 def overrides(kind, wildcards):
-    """The --set options of one case."""
+    """The --set options of one case; a case that ends with the fill stage has no others to set."""
     settings = dict(config["scene_overrides"])
     if kind == "fills":
-        settings.update(config["fill_overrides"])
+        later = [key for key in settings if key.startswith("stages.") and not key.startswith("stages.fill.")]
+        settings = {"stages": fill_stage()} | {key: value for key, value in settings.items() if key not in later}
     settings["cohesion.bond_number"] = wildcards.bond
     settings["stiffness_ratio"] = wildcards.ratio
     settings["time_step"] = TIME_STEPS[wildcards.ratio]

@@ -5,12 +5,22 @@ import pandas
 from reporting import describe, logged, read_json, write_text
 
 
+MACHINE = ["expected"]  # measured where the workflow runs, not derived from the scene
+
+
+def named(number, item):
+    """The key and value of a list item."""
+    if isinstance(item, dict) and "name" in item:
+        return item["name"], {key: value for key, value in item.items() if key != "name"}
+    return number, item
+
+
 def flatten(value, name=""):
     """Nested dictionaries and lists as dotted names; list items are named by their own name where they have one."""
     if isinstance(value, dict):
         items = value.items()
     elif isinstance(value, list):
-        items = ((item.get("name", number) if isinstance(item, dict) else number, item) for number, item in enumerate(value))
+        items = (named(number, item) for number, item in enumerate(value))
     else:
         return {name: value}
     result = {}
@@ -21,7 +31,10 @@ def flatten(value, name=""):
 
 def table(cases, derived):
     """Rows in the order of the first case that has them."""
-    columns = {describe(case): pandas.Series(flatten(values), dtype=object) for case, values in zip(cases, derived, strict=True)}
+    columns = {}
+    for case, values in zip(cases, derived, strict=True):
+        of_case = {name: value for name, value in values.items() if name not in MACHINE}
+        columns[describe(case)] = pandas.Series(flatten(of_case), dtype=object)
     names = dict.fromkeys(name for column in columns.values() for name in column.index)
     result = pandas.DataFrame(columns).reindex(list(names))
     result.index.name = "quantity"

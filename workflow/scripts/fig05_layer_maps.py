@@ -31,11 +31,12 @@ def draw_particles(axes, layer, extent, colours, norm, classes):
 def draw(layers):
     shown = [members[0] for members in by_bond(layers).values()]
     length = min(SECTION, min(layer.x_range[1] - layer.x_range[0] for layer in shown))
-    colours, norm, classes = coordination_colours(max(layer.coordination.max(initial=0) for layer in shown))
+    largest = max(len(layer.metrics["clusters"]["cn_counts"]) - 1 for layer in shown)
+    colours, norm, classes = coordination_colours(largest)
     densest = max(layer.packing.max() for layer in shown)
-    row = 0.45 * PAGE * shown[0].width / length + 0.16
+    row = 0.42 * PAGE * shown[0].width / length + 0.14
     figure, panels = pyplot.subplots(
-        len(shown), 2, figsize=(PAGE, len(shown) * row + 0.75), sharex=True, sharey=True, squeeze=False
+        len(shown), 2, figsize=(PAGE, len(shown) * row + 0.8), sharex=True, sharey=True, squeeze=False
     )
     for (left, right), layer in zip(panels, shown):
         extent = (layer.x_range[0], layer.x_range[0] + length)

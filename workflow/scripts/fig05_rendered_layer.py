@@ -11,7 +11,7 @@ from states import length
 from style import PAGE, bond_label, coordination_colours, coordination_ticks, pyplot, save
 
 LENGTH = 45  # of the layer that is shown, measured back from the front of the blade [d_p]
-PIXELS = (2100, 900)
+PIXELS = (4200, 1800)  # twice what is printed: averaged, it is smooth
 
 
 def spheres(centres, radii, colours):
@@ -53,6 +53,23 @@ def cuboid(bounds, colour, opacity):
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(*colour)
     actor.GetProperty().SetOpacity(opacity)
+    actor.GetProperty().SetAmbient(0.5)
+    actor.GetProperty().SetDiffuse(0.5)
+    return actor
+
+
+def edges(bounds):
+    """Actor of the edges of a box."""
+    source = vtk.vtkCubeSource()
+    source.SetBounds(*bounds)
+    lines = vtk.vtkExtractEdges()
+    lines.SetInputConnection(source.GetOutputPort())
+    mapper = vtk.vtkPolyDataMapper()
+    mapper.SetInputConnection(lines.GetOutputPort())
+    actor = vtk.vtkActor()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.1, 0.2, 0.4)
+    actor.GetProperty().SetLineWidth(4)
     return actor
 
 
@@ -81,8 +98,9 @@ def picture(layer, colours, norm, classes):
     renderer = vtk.vtkRenderer()
     renderer.SetBackground(1, 1, 1)
     renderer.AddActor(spheres(position[shown], state.radius[shown] / state.diameter, hues))
-    renderer.AddActor(cuboid((start, end, -0.5, layer.width + 0.5, -0.4, 0), (0.82, 0.82, 0.82), 1))
-    renderer.AddActor(cuboid(blade, (0.35, 0.45, 0.6), 0.35))
+    renderer.AddActor(cuboid((start, end, -0.5, layer.width + 0.5, -0.4, 0), (0.85, 0.85, 0.85), 1))
+    renderer.AddActor(cuboid(blade, (0.25, 0.45, 0.75), 0.4))
+    renderer.AddActor(edges(blade))
     renderer.SetUseDepthPeeling(True)
     camera = renderer.GetActiveCamera()
     middle = (0.5 * (start + end), 0.5 * layer.width, 1.0)
@@ -91,9 +109,11 @@ def picture(layer, colours, norm, classes):
     camera.SetViewUp(0, 0, 1)
     renderer.ResetCamera()
     camera.Zoom(1.45)
+    vtk.vtkLogger.SetStderrVerbosity(vtk.vtkLogger.VERBOSITY_OFF)  # it looks for a screen first, and says so
     window = vtk.vtkRenderWindow()
     window.SetOffScreenRendering(True)
-    window.SetMultiSamples(8)
+    window.SetMultiSamples(0)  # depth peeling, which the translucent blade needs, excludes it
+    window.SetAlphaBitPlanes(True)
     window.SetSize(*PIXELS)
     window.AddRenderer(renderer)
     window.Render()
@@ -101,7 +121,7 @@ def picture(layer, colours, norm, classes):
 
 
 def pixels(window):
-    """The window's content, [rows, columns, 3]."""
+    """The window's content at half its size, [rows, columns, 3]."""
     grab = vtk.vtkWindowToImageFilter()
     grab.SetInput(window)
     grab.ReadFrontBufferOff()
@@ -109,7 +129,7 @@ def pixels(window):
     image = grab.GetOutput()
     columns, rows, _ = image.GetDimensions()
     values = vtk.util.numpy_support.vtk_to_numpy(image.GetPointData().GetScalars())
-    values = values.reshape(rows, columns, -1)[::-1, :, :3]
+    values = values.reshape(rows // 2, 2, columns // 2, 2, -1).mean(axis=(1, 3))[::-1, :, :3].astype(numpy.uint8)
     if values.min() == values.max():
         raise Implausible("the picture is empty: VTK could not render without a screen; install libegl1 or libosmesa6")
     return values

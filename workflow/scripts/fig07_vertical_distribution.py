@@ -28,6 +28,7 @@ def draw(layers):
         )
     axes.set_yscale("log")
     axes.set_yticks([0.1, 1, 10, 100], ["0.1", "1", "10", "100"])
+    axes.set_ylim(0.05, 130)
     axes.axvline(1.0, color="grey", linewidth=0.6, linestyle=":")
     axes.set_xlim(0.3, 1.6)
     axes.set_xlabel(r"Height of the particle centre $z/d_p$ [–]")

@@ -44,6 +44,7 @@ def draw(layers):
         axes.set_title(title)
         axes.set_ylabel("Share of particles [%]")
         axes.margins(x=0.01)
+        axes.set_ylim(top=1.05 * axes.dataLim.y1)
         hues = [Patch(facecolor=colours[bond], edgecolor="black", linewidth=0.3, label=bond_label(bond)) for bond in bonds]
         tints = [
             Patch(facecolor=tint((0, 0, 0), strength), edgecolor="black", linewidth=0.3, label=f"size {size.replace('>=', '≥ ')}")

@@ -46,7 +46,7 @@ def scalars(layer):
         "height_largest_dp": (metrics["height"]["max"], numpy.nan, numpy.nan),
         "particles": (metrics["clusters"]["n_particles"], numpy.nan, numpy.nan),
         "largest_coordination_number": (len(metrics["clusters"]["cn_counts"]) - 1, numpy.nan, numpy.nan),
-        "largest_cluster": (metrics["clusters"]["max_cluster_size"], numpy.nan, numpy.nan),
+        "largest_cluster": (max(map(int, metrics["clusters"]["size_fraction"])), numpy.nan, numpy.nan),
         "touching_base": share(layer, base_distance < 0.005),
         "centre_above_1": share(layer, layer.state.points[:, 2] / layer.diameter > 1),
         "clustered": share(layer, layer.cluster_size > 1),

@@ -87,9 +87,10 @@ def grouped_bars(axes, categories, series, errors=None):
         left = place - 0.41 + (number + 0.5) * width
         axes.bar(left, values, width, color=colour, edgecolor="black", linewidth=0.3, label=label)
         if errors:
-            lower, upper = errors[label]
-            gap = [numpy.maximum(values - lower, 0), numpy.maximum(upper - values, 0)]
-            axes.errorbar(left, values, gap, fmt="none", ecolor="black", elinewidth=0.6, capsize=1.2)
+            lower, upper = (numpy.asarray(bound) for bound in errors[label])
+            known = upper > lower
+            gap = [numpy.maximum(values - lower, 0)[known], numpy.maximum(upper - values, 0)[known]]
+            axes.errorbar(left[known], values[known], gap, fmt="none", ecolor="black", elinewidth=0.6, capsize=1.2)
     axes.set_xticks(place, categories)
 
 

@@ -1,0 +1,24 @@
+"""The smoke grid with the real programs, from scene to report."""
+
+import json
+
+import pandas
+
+
+def test_smoke_grid(workflow, build):
+    code, output = workflow("--configfile", "config/smoke.yaml", build=build)
+    assert code == 0, output
+    results = workflow.folder / "results/smoke"
+    assert len(list((results / "figures").glob("*.png"))) == 11
+    assert (results / "report.html").read_text().count("data:image/png;base64,") == 11
+
+    table = pandas.read_csv(results / "tables/metrics.csv")
+    assert len(table) == 4 and (table["particles"] > 10).all()
+    shares = table[[f"coordination_{number}" for number in range(6)]].sum(axis=1)
+    assert (shares <= 1 + 1e-6).all() and (shares > 0.9).all()
+    for path in results.glob("layers/*/summary.json"):
+        summary = json.loads(path.read_text())
+        assert [stage["name"] for stage in summary["stages"]] == ["fill", "heap", "spread"]
+
+    code, output = workflow("--configfile", "config/smoke.yaml", build=build)
+    assert code == 0 and "Nothing to be done" in output

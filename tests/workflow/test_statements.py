@@ -1,0 +1,108 @@
+"""Verdicts on the paper's statements."""
+
+import numpy
+import pandas
+import pytest
+from statements import (
+    AGREES, DIFFERS, LAYER_STATEMENTS, NOT_TESTABLE, Grid, between, bed_independence, evaluate, only, ratio_statements,
+    trend, within,
+)
+
+
+def table(name, values, half=0.01):
+    """One row per Bond number of a metric with intervals of +- half."""
+    return pandas.DataFrame(
+        [
+            {"bond_number": float(bond), "stiffness_ratio": 0.001, "seed": 1, name: value,
+             f"{name}_lower": value - half, f"{name}_upper": value + half}
+            for bond, value in values.items()
+        ]
+    )
+
+
+@pytest.mark.parametrize(
+    "values, verdict",
+    [
+        ({5: 0.5, 50: 0.3, 200: 0.6}, AGREES),
+        ({5: 0.5, 50: 0.6, 200: 0.7}, DIFFERS),
+        ({5: 0.5, 50: 0.3, 200: 0.305}, NOT_TESTABLE),
+        ({5: 0.3, 50: 0.305, 200: 0.2}, DIFFERS),
+        ({5: 0.5, 200: 0.6}, NOT_TESTABLE),
+    ],
+)
+def test_local_minimum(values, verdict):
+    text, found = trend("m", [5, 50, 200], [-1, 1])(Grid(table("m", values)))
+    assert found == verdict, text
+
+
+def test_missing_bond_number_is_named():
+    text, _ = trend("m", [5, 50, 200], [-1, 1])(Grid(table("m", {5: 0.5, 200: 0.6})))
+    assert text == "no case at Bo = 50"
+
+
+@pytest.mark.parametrize(
+    "value, half, verdict", [(0.995, 0.01, AGREES), (0.95, 0.01, DIFFERS), (0.985, 0.01, NOT_TESTABLE), (0.95, numpy.nan, DIFFERS)]
+)
+def test_bound(value, half, verdict):
+    grid = Grid(table("m", {0: value}, half))
+    assert within("m", only(0), lower=0.99)(grid)[1] == verdict
+
+
+def test_one_broken_bound_is_enough():
+    grid = Grid(table("m", {0: 0.9, 1: 0.1, 5: 0.0}))
+    assert within("m", between(0, 1), lower=0.8)(grid)[1] == DIFFERS
+    assert within("m", only(0, 77), lower=0.8)(grid)[1] == AGREES
+    assert within("m", only(77), lower=0.8)(grid) == ("no such case", NOT_TESTABLE)
+
+
+def test_several_seeds_give_mean_and_range():
+    rows = pandas.concat([table("m", {5: value}) for value in (0.2, 0.3, 0.7)])
+    measured = Grid(rows).measured("m", 5)
+    assert (measured.value, measured.lower, measured.upper) == pytest.approx((0.4, 0.2, 0.7))
+
+
+def beds(densities, half):
+    return pandas.DataFrame(
+        [
+            {"bond_number": 5.0, "stiffness_ratio": ratio, "seed": 1, "packing_density": value,
+             "packing_density_lower": value - half, "packing_density_upper": value + half}
+            for ratio, value in densities.items()
+        ]
+    )
+
+
+@pytest.mark.parametrize(
+    "densities, half, verdict",
+    [
+        ({0.001: 0.5501, 0.01: 0.5505, 0.1: 0.55}, 1e-4, AGREES),
+        ({0.001: 0.56, 0.01: 0.55, 0.1: 0.55}, 1e-4, DIFFERS),
+        ({0.001: 0.552, 0.01: 0.55, 0.1: 0.55}, 0.01, NOT_TESTABLE),
+        ({0.001: 0.60, 0.01: 0.55, 0.1: 0.55}, 0.002, DIFFERS),
+        ({0.001: 0.55}, 1e-4, NOT_TESTABLE),
+    ],
+)
+def test_bed_does_not_depend_on_stiffness(densities, half, verdict):
+    text, found = bed_independence(beds(densities, half), 5)
+    assert found == verdict, text
+
+
+def test_layers_at_several_ratios():
+    rows = pandas.concat(
+        [table("packing_median", {5: value}, 0.001).assign(stiffness_ratio=ratio) for ratio, value in ((0.001, 0.30), (0.01, 0.29))]
+    )
+    assert [row[3] for row in ratio_statements(rows)] == [AGREES, NOT_TESTABLE]
+
+
+def test_every_statement_can_be_evaluated_without_its_cases():
+    """A grid without cases gives no verdict."""
+    empty = Grid(pandas.DataFrame({"bond_number": [], "stiffness_ratio": []}))
+    for _, _, condition in LAYER_STATEMENTS:
+        if condition:
+            assert condition(empty)[1] == NOT_TESTABLE
+
+
+def test_rows_have_figure_paper_grid_verdict():
+    metrics = table("packing_median", {5: 0.3}).assign(stiffness_ratio=0.5)
+    rows = evaluate(metrics, beds({0.001: 0.55, 0.1: 0.55}, 1e-4), 0.001)
+    assert all(len(row) == 4 and row[3] in (AGREES, DIFFERS, NOT_TESTABLE) for row in rows)
+    assert [row[3] for row in rows[:2]] == [AGREES, NOT_TESTABLE]

@@ -1,0 +1,70 @@
+"""The whole workflow on made-up results: what is drawn, what is not, and what stops it."""
+
+import re
+
+import pandas
+import pytest
+import yaml
+
+REPORT = "results/smoke/report.html"
+SIZE = {"test.length": 24, "test.width": 6, "test.fill_length": 8, "test.count": 200}
+
+
+def use(workflow, seeds=(1,), **settings):
+    """The smoke grid with settings for the doubles."""
+    path = workflow.folder / "config/smoke.yaml"
+    config = yaml.safe_load(path.read_text())
+    config["scene_overrides"] |= SIZE | {f"test.{key}": value for key, value in settings.items()}
+    config["seeds"] = list(seeds)
+    path.write_text(yaml.safe_dump(config))
+
+
+def run(workflow, doubles, *options):
+    return workflow(*options, "--configfile", "config/smoke.yaml", build=doubles)
+
+
+def test_grid_to_report_and_nothing_to_do_afterwards(workflow, doubles):
+    use(workflow)
+    code, output = run(workflow, doubles)
+    assert code == 0, output
+    page = (workflow.folder / REPORT).read_text()
+    figures = sorted((workflow.folder / "results/smoke/figures").glob("*.png"))
+    assert len(figures) == 11
+    assert page.count("data:image/png;base64,") == 11
+    assert not re.search(r'(src|href)="(?!data:|#)', page)
+    for text in ("seed 1", "version 0.0-double", "layers/bond-50_ratio-0.001_seed-1/layer.json", "paper says"):
+        assert text in page
+    for figure in figures:
+        assert figure.with_suffix(".pdf").read_bytes().startswith(b"%PDF")
+    verdicts = pandas.read_csv(workflow.folder / "results/smoke/tables/comparison.csv")["verdict"]
+    assert set(verdicts) <= {"agrees", "differs", "not testable"}
+
+    code, output = run(workflow, doubles)
+    assert code == 0 and "Nothing to be done" in output
+
+    (workflow.folder / REPORT).unlink()
+    (doubles / "solver/recoat-solve").touch()
+    code, output = run(workflow, doubles, "--dry-run")
+    assert "simulate_layer" not in output and "report" in output
+
+
+def test_several_seeds_are_drawn(workflow, doubles):
+    use(workflow, seeds=(1, 2))
+    code, output = run(workflow, doubles)
+    assert code == 0, output
+    assert "seed 1, 2" in (workflow.folder / REPORT).read_text()
+
+
+@pytest.mark.parametrize(
+    "settings, sentence",
+    [
+        ({"particles_lost": 2}, "2 of 200 particles were lost"),
+        ({"balance_error": "5e-11"}, "the energy balance is off by 5 % of the blade's work (bound 1 %)"),
+        ({"largest_overlap": 0.2}, "the largest overlap in stage fill is 0.2 of a particle diameter (bound 0.01)"),
+    ],
+)
+def test_implausible_result_stops_with_a_sentence(workflow, doubles, settings, sentence):
+    use(workflow, **settings)
+    code, output = run(workflow, doubles, "results/smoke/figures/fig13_roughness.png")
+    assert code != 0 and sentence in output, output
+    assert not list((workflow.folder / "results/smoke").glob("figures/*.png"))
