@@ -5,6 +5,7 @@
 #include "common/config.hpp"
 #include "common/error.hpp"
 #include "common/version.hpp"
+#include "solver/output/checkpoint.hpp"
 #include "solver/output/summary.hpp"
 #include "solver/progress_line.hpp"
 #include "solver/scene/initial_particles.hpp"

@@ -2,23 +2,12 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <functional>
-#include <memory>
 #include <optional>
-#include <string>
-#include <vector>
 
-#include "solver/engine/engine.hpp"
-#include "solver/output/checkpoint.hpp"
+#include "solver/scene/engine_factory.hpp"
 #include "solver/scene/scene.hpp"
 
 namespace recoat {
-
-/// How engines come to be; tests put another one here.
-struct EngineFactory {
-    std::function<std::unique_ptr<Engine>(const EngineSetup&, const ParticleTable&, std::vector<Wall>)> make;
-    std::function<std::unique_ptr<Engine>(const EngineSetup&, const EngineState&)> restore;
-};
 
 struct RunOptions {
     std::filesystem::path folder;  ///< where everything is written

@@ -1,6 +1,7 @@
 #pragma once
 
-#include "solver/run.hpp"
+#include "solver/scene/engine_factory.hpp"
+#include "solver/scene/scene.hpp"
 
 namespace recoat {
 

@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "solver/run.hpp"
+#include "solver/scene/engine_factory.hpp"
+#include "solver/scene/scene.hpp"
 
 namespace recoat {
 

@@ -1,0 +1,85 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "common/error.hpp"
+#include "common/output_file.hpp"
+#include "solver/run.hpp"
+#include "tests/support/fake_engine.hpp"
+#include "tests/support/scene_text.hpp"
+#include "tests/support/temporary_folder.hpp"
+#include "tests/support/throws_message.hpp"
+
+namespace recoat {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+
+class RunFolder : public ::testing::Test {
+protected:
+    int run(const std::string& setting = "seed=1", std::optional<std::int64_t> until = {}, bool overwrite = false) {
+        const Scene scene = testing::scene_of(testing::spread_text, {"time_step=1e-6 s", setting});
+        return run_scene(scene, {folder_ / "a", 1, true, overwrite, until}, testing::fake_factory(script_));
+    }
+    int resume() { return resume_run({folder_ / "a", 1, true, false, {}}, testing::fake_factory(script_)); }
+
+    testing::TemporaryFolder folder_;
+    testing::FakeScript script_;
+};
+
+TEST_F(RunFolder, AFinishedRunIsLeftAsItIs) {
+    run();
+    const auto time = fs::last_write_time(folder_ / "a/spread.vtkhdf");
+    EXPECT_EQ(run(), 0);
+    EXPECT_EQ(resume(), 0);
+    EXPECT_EQ(script_.made, 1);
+    EXPECT_EQ(script_.restored, 0);
+    EXPECT_EQ(fs::last_write_time(folder_ / "a/spread.vtkhdf"), time);
+}
+
+TEST_F(RunFolder, AFinishedRunThatLacksAFileIsRunAgain) {
+    run();
+    fs::remove(folder_ / "a/heap.vtkhdf");
+    EXPECT_EQ(run(), 0);
+    EXPECT_EQ(script_.made, 2);
+    EXPECT_TRUE(fs::exists(folder_ / "a/heap.vtkhdf"));
+}
+
+TEST_F(RunFolder, AnUnfinishedRunIsContinued) {
+    run("seed=1", 20000);
+    EXPECT_EQ(run(), 0);
+    EXPECT_EQ(script_.made, 1);
+    EXPECT_EQ(script_.restored, 1);
+}
+
+TEST_F(RunFolder, AnotherConfigurationIsRefusedUnlessOverwritten) {
+    run();
+    EXPECT_THAT(testing::message_of<InputError>([&] { run("seed=2"); }), HasSubstr("another configuration"));
+    EXPECT_EQ(run("seed=2", {}, true), 0);
+    EXPECT_EQ(script_.made, 2);
+}
+
+TEST_F(RunFolder, AnUnfinishedRunOfAnotherConfigurationIsRefusedToo) {
+    run("seed=1", 20000);
+    fs::remove(folder_ / "a/summary.json");
+    EXPECT_THAT(testing::message_of<InputError>([&] { run("seed=2"); }), HasSubstr("another configuration"));
+}
+
+TEST_F(RunFolder, StartingAnewRemovesOldResults) {
+    run();
+    run("seed=2", 5000, true);
+    EXPECT_FALSE(fs::exists(folder_ / "a/fill.vtkhdf"));
+    EXPECT_FALSE(fs::exists(folder_ / "a/spread.vtkhdf"));
+}
+
+TEST_F(RunFolder, NothingToResume) {
+    EXPECT_THAT(testing::message_of<InputError>([&] { resume(); }), HasSubstr("no checkpoint"));
+}
+
+TEST_F(RunFolder, AFileInPlaceOfTheFolderIsRefused) {
+    write_text_file(folder_ / "a", "text");
+    EXPECT_THAT(testing::message_of<InputError>([&] { run(); }), HasSubstr("cannot be made"));
+}
+
+}  // namespace
+}  // namespace recoat

@@ -1,0 +1,81 @@
+#include <fstream>
+#include <sstream>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "solver/output/energy_balance.hpp"
+#include "solver/output/energy_series.hpp"
+#include "solver/output/ledger_fields.hpp"
+#include "tests/support/fake_engine.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace recoat {
+namespace {
+
+EnergyLedger ledger(double stored, double dissipated, double work, double removed) {
+    EnergyLedger result;
+    result.kinetic_translation = 0.5 * stored;
+    result.cohesion = 0.5 * stored;
+    result.dissipated_rolling = dissipated;
+    result.wall_work = work;
+    result.removed_with_walls = removed;
+    return result;
+}
+
+TEST(EnergyBalance, WorkThatIsStoredDissipatedOrRemovedIsAccountedFor) {
+    const EnergyBalance balance = energy_balance(ledger(10, 1, 2, 0), ledger(12, 6, 10, 1));
+    EXPECT_DOUBLE_EQ(balance.wall_work, 8);
+    EXPECT_DOUBLE_EQ(balance.dissipated, 5);
+    EXPECT_DOUBLE_EQ(balance.error, 0);
+}
+
+TEST(EnergyBalance, ErrorIsRelativeToTheWorkOfTheWalls) {
+    const EnergyBalance balance = energy_balance(ledger(0, 0, 0, 0), ledger(1, 2, -4, 0));
+    EXPECT_DOUBLE_EQ(balance.error, 7);
+    EXPECT_DOUBLE_EQ(balance.relative_error(), 7.0 / 4);
+}
+
+TEST(EnergyBalance, WithoutWorkItIsRelativeToWhatWasDissipated) {
+    const EnergyBalance balance = energy_balance(ledger(10, 0, 0, 0), ledger(5.5, 5, 0, 0));
+    EXPECT_DOUBLE_EQ(balance.relative_error(), 0.1);
+    EXPECT_EQ(energy_balance({}, {}).relative_error(), 0);
+}
+
+// Guards against an entry that is added to the ledger but not to the files.
+TEST(LedgerFields, NameEveryEntry) { EXPECT_EQ(ledger_fields.size() * sizeof(double), sizeof(EnergyLedger)); }
+
+TEST(EnergySeries, WritesOneRowPerSample) {
+    testing::TemporaryFolder folder;
+    testing::FakeScript script;
+    Wall blade;
+    blade.name = "blade";
+    testing::FakeEngine engine(script, 0.1, {}, {blade});
+    EnergySeries series;
+    EXPECT_TRUE(series.empty());
+    series.add(engine);
+    engine.set_wall_velocity(0, {3, 0, 0});
+    engine.advance(7);
+    series.add(engine);
+    series.write_csv(folder / "energy.csv");
+    std::ifstream file(folder / "energy.csv");
+    std::string header, first, second;
+    std::getline(file, header);
+    std::getline(file, first);
+    std::getline(file, second);
+    EXPECT_EQ(header,
+              "step,time_s,kinetic_translation_J,kinetic_rotation_J,elastic_normal_J,elastic_tangential_J,gravity_J,"
+              "cohesion_J,dissipated_normal_J,dissipated_tangential_J,dissipated_rolling_J,wall_work_J,"
+              "removed_with_walls_J");
+    EXPECT_EQ(first, "0,0,0,0,0,0,0,0,0,0,0,0,0");
+    std::vector<double> values;
+    std::istringstream row(second);
+    for (std::string cell; std::getline(row, cell, ',');) values.push_back(std::stod(cell));
+    ASSERT_EQ(values.size(), 13U);
+    EXPECT_EQ(values[0], 7);
+    EXPECT_EQ(values[1], engine.time());
+    EXPECT_EQ(values[11], engine.ledger().wall_work);
+}
+
+}  // namespace
+}  // namespace recoat
