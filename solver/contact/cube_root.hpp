@@ -20,7 +20,7 @@ RECOAT_HD double cube_root(double x) {
     double y = std::bit_cast<double>(static_cast<std::uint64_t>(static_cast<std::uint32_t>(third)) << 32);
     for (int step = 0; step < 2; ++step) {
         const double cube = y * y * y;
-        y = y * (cube + 2 * safe) / (2 * cube + safe);
+        y = y * ((cube + 2 * safe) / (2 * cube + safe));  // the quotient first: it stays near 1
     }
     return x > 1e-290 ? y : 0;
 }
