@@ -31,7 +31,8 @@ double diameters_or(const Config& config, std::string_view key, double diameter,
                     Range range = Range::positive()) {
     if (!config.has(key) || parse_number(config.text(key))) return config.number_or(key, fallback, range);
     const double value = config.quantity(key, Dimension::length) / diameter;
-    if (!range.contains(value)) config.fail(key, fmt::format("{} d_p is out of range; give a larger length", value));
+    if (!range.contains(value))
+        config.fail(key, fmt::format("{:.6g} d_p is out of range; give a larger length", value));
     return value;
 }
 
@@ -40,7 +41,7 @@ double degrees_or(const Config& config, std::string_view key, double fallback, R
     if (!config.has(key) || parse_number(config.text(key))) return config.number_or(key, fallback, range);
     const double value = config.quantity(key, Dimension::angle) * 180 / std::numbers::pi;
     if (!range.contains(value))
-        config.fail(key, fmt::format("{} deg is out of range; give an angle up to 90 deg", value));
+        config.fail(key, fmt::format("{:.6g} deg is out of range; give an angle up to 90 deg", value));
     return value;
 }
 
@@ -105,7 +106,7 @@ void read_voxels(const Config& config, AnalysisConfig& result) {
     result.voxels_per_dp.clear();
     for (const double n : config.quantities("voxels_per_dp", Dimension::none, 0, {.lower = 1, .upper = 1000})) {
         if (!is_whole(n))
-            config.fail("voxels_per_dp", fmt::format("{} is no whole number; give a list like [10, 20]", n));
+            config.fail("voxels_per_dp", fmt::format("{:.6g} is no whole number; give a list like [10, 20]", n));
         result.voxels_per_dp.push_back(static_cast<int>(std::lround(n)));
     }
 }

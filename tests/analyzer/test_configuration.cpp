@@ -1,0 +1,116 @@
+#include <gtest/gtest.h>
+
+#include "analyzer/configuration.hpp"
+#include "common/error.hpp"
+#include "tests/support/throws_message.hpp"
+
+namespace recoat {
+namespace {
+
+using testing::message_of;
+
+const std::string complete =
+    "d_p: 50 um\ndensity: 4430 kg/m3\nh_b: 1.5 dp\nx_range: [0, 1 mm]\ny_min: 0\ny_period: 12 dp\n";
+
+AnalysisConfig read(const std::string& text, const SourceInfo& info = {}) {
+    return read_analysis_config(Config::parse(text, "analysis.yaml"), info);
+}
+
+std::string error(const std::string& text, const SourceInfo& info = {}) {
+    return message_of<InputError>([&] { (void)read(text, info); });
+}
+
+/// What a state of a layer says: 500 d_p of spreading from x = 2 mm.
+SourceInfo state_info() {
+    return {.particle_diameter = 50e-6,
+            .density = 4430,
+            .clearance = 75e-6,
+            .y_min = -1e-3,
+            .y_period = 2e-3,
+            .blade_start = 2e-3,
+            .spread_length = 25e-3};
+}
+
+TEST(AnalysisConfiguration, UnitsAndBareNumbersMeanTheSame) {
+    const AnalysisConfig units = read(complete + "grid: 50 um\nphi_window: 3 dp\nz_bin: 5 um\nangle_bin: 10 deg\n");
+    const AnalysisConfig bare = read(
+        R"({"d_p": 5e-05, "density": 4430.0, "h_b": 7.5e-05, "x_range": [0.0, 0.001], "y_min": 0.0, "y_period": 0.0006,
+            "grid": 1.0, "phi_window": 3.0, "z_bin": 0.1, "angle_bin": 10.0})");
+    for (const AnalysisConfig& config : {units, bare}) {
+        EXPECT_DOUBLE_EQ(config.particle_diameter, 5e-5);
+        EXPECT_DOUBLE_EQ(config.clearance, 7.5e-5);
+        EXPECT_DOUBLE_EQ(config.x_end, 1e-3);
+        EXPECT_DOUBLE_EQ(config.y_period, 6e-4);
+        EXPECT_DOUBLE_EQ(config.grid, 1);
+        EXPECT_DOUBLE_EQ(config.z_bin, 0.1);
+        EXPECT_NEAR(config.angle_bin, 10, 1e-12);
+        EXPECT_EQ(config.voxels_per_dp, (std::vector<int>{10, 20}));
+    }
+}
+
+TEST(AnalysisConfiguration, AStateStandsInForWhatIsLeftOut) {
+    const AnalysisConfig config = read("voxels_per_dp: []\n", state_info());
+    EXPECT_EQ(config.particle_diameter, 50e-6);
+    EXPECT_EQ(config.density, 4430);
+    EXPECT_EQ(config.clearance, 75e-6);
+    EXPECT_EQ(config.y_min, -1e-3);
+    EXPECT_EQ(config.y_period, 2e-3);
+    EXPECT_NEAR(config.x_begin, 2e-3 + 100 * 50e-6, 1e-15);
+    EXPECT_NEAR(config.x_end, 2e-3 + 490 * 50e-6, 1e-15);
+    EXPECT_TRUE(config.voxels_per_dp.empty());
+    EXPECT_EQ(read("h_b: 100 um\n", state_info()).clearance, 100e-6);
+}
+
+TEST(AnalysisConfiguration, TheRegionIsCutToWholeCells) {
+    SourceInfo info = state_info();
+    info.spread_length = 100.7 * 50e-6;
+    const AnalysisConfig skipped = read("skip_start: 10 dp\nskip_end: 5 dp\n", info);
+    EXPECT_NEAR(skipped.x_begin, 2e-3 + 10 * 50e-6, 1e-15);
+    EXPECT_NEAR(skipped.x_end, 2e-3 + 95 * 50e-6, 1e-15);
+    const AnalysisConfig usual = read("{}", info);  // from 20.14 to 98.686 d_p
+    EXPECT_NEAR((usual.x_end - usual.x_begin) / 50e-6, 78, 1e-9);
+    EXPECT_EQ(error("skip_start: 90 dp\nskip_end: 11 dp\n", info),
+              "analysis.yaml:1: skip_start: nothing is left of the spreading length; skip less, or give x_range");
+}
+
+TEST(AnalysisConfiguration, MissingKeysAreNamed) {
+    EXPECT_NE(error("density: 4430\n").find("d_p: the key is missing"), std::string::npos);
+    EXPECT_NE(
+        error("d_p: 50 um\ndensity: 4430\nh_b: 75 um\ny_min: 0\ny_period: 1 mm\n").find("x_range: the key is missing"),
+        std::string::npos);
+}
+
+TEST(AnalysisConfiguration, WhatDoesNotFitTogetherIsRefused) {
+    EXPECT_NE(error(complete + "gird: 1\n").find("grid"), std::string::npos);
+    EXPECT_EQ(
+        error(complete + "grid: 3\n"),
+        "analysis.yaml:4: x_range: the region is 6.66667 cells of 0.00015 m long; make it a whole number of cells");
+    EXPECT_NE(error(complete + "grid: 2.5\n").find("y_period: the period is 4.8 cells"), std::string::npos);
+    EXPECT_NE(error(complete + "phi_window: 13\n").find("phi_window: the window is wider than the y period"),
+              std::string::npos);
+    EXPECT_NE(error(complete + "voxels_per_dp: [2.5]\n").find("voxels_per_dp: 2.5 is no whole number"),
+              std::string::npos);
+    EXPECT_NE(error(complete + "voxels_per_dp: [0]\n").find("voxels_per_dp"), std::string::npos);
+    EXPECT_NE(
+        error(complete + "voxels_per_dp: [5]\nheight_window: 0.5\n").find("height_window is 2.5 voxels at 5 per d_p"),
+        std::string::npos);
+    EXPECT_NE(error(complete + "skip_start: 1 dp\n").find("skip_start: x_range is given too"), std::string::npos);
+    EXPECT_NE(error(complete + "contact_mode: sum\n").find("contact_mode"), std::string::npos);
+    EXPECT_NE(error(complete + "z_bin: -1 um\n").find("z_bin: -0.02 d_p is out of range"), std::string::npos);
+    EXPECT_NE(error(complete + "h_b: 1 dp\n").find("h_b"), std::string::npos);  // twice
+}
+
+TEST(AnalysisConfiguration, ColumnNames) {
+    const Config config = Config::parse("columns: {x: px, diameter: size}\n", "analysis.yaml");
+    EXPECT_EQ(read_column_names(config).x, "px");
+    EXPECT_EQ(read_column_names(config).diameter, "size");
+    EXPECT_EQ(read_column_names(config).radius, "");
+    const Config both = Config::parse("columns: {radius: r1, diameter: d1}\n", "analysis.yaml");
+    EXPECT_NE(message_of<InputError>([&] {
+                  (void)read_column_names(both);
+              }).find("columns.diameter: a radius column is named too"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace recoat
