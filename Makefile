@@ -3,16 +3,21 @@ PRESET ?= release
 CORES := $(shell nproc)
 export PATH := $(CURDIR)/.venv/bin:$(PATH)
 export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
+CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
+COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup build reproduce test lint clean
+.PHONY: setup programs build reproduce test lint clean
 
 setup:
 	@./setup.sh
 
-build: setup
-	@cmake --preset $(PRESET) --log-level=WARNING && cmake --build --preset $(PRESET) --parallel $(CORES)
+programs: setup
+	@$(CONFIGURE) && $(COMPILE) --target recoat-solve recoat-analyze
 
-reproduce: build
+build: setup
+	@$(CONFIGURE) && $(COMPILE)
+
+reproduce: programs
 	@snakemake --configfile config/reduced.yaml --cores all && echo "Report: results/reduced/report.html" && ls results/reduced/figures/*
 
 test: build
