@@ -16,7 +16,10 @@ static_assert(std::endian::native == std::endian::little, "a column of a leaf is
 
 using Leaf = openvdb::MaskTree::LeafNodeType;
 constexpr int leaf_side = Leaf::DIM;
+constexpr int leaf_columns = leaf_side * leaf_side;
 constexpr int slab_side = 128;  ///< voxels: one lower internal node of the tree, so that merging moves whole nodes
+
+using ColumnSpans = std::array<RowRange, leaf_columns>;  ///< solid voxels along z per column of a leaf, index [x][y]
 
 int floor_to_leaf(int index) { return index & ~(leaf_side - 1); }
 
@@ -47,11 +50,11 @@ public:
 private:
     /// Spans of solid voxels in the columns of one stack of leaves.
     void add_block(const Ball& ball, RowRange i, RowRange j, int i_leaf, int j_leaf) {
-        std::array<RowRange, leaf_side * leaf_side> spans;
+        ColumnSpans spans;
         int lowest = std::numeric_limits<int>::max(), highest = -1;
         for (int a = 0; a < leaf_side; ++a) {
             for (int b = 0; b < leaf_side; ++b) {
-                RowRange& span = spans[a * leaf_side + b];
+                RowRange& span = spans[static_cast<std::size_t>(a) * leaf_side + b];
                 span = {};
                 if (i_leaf + a < i.first || i_leaf + a > i.last || j_leaf + b < j.first || j_leaf + b > j.last)
                     continue;
@@ -74,8 +77,8 @@ private:
         return voxels_between(ball.z - half, ball.z + half, n_, 0, std::numeric_limits<int>::max());
     }
 
-    static void fill(Leaf& leaf, const std::array<RowRange, leaf_side * leaf_side>& spans, int k_leaf) {
-        for (int column = 0; column < leaf_side * leaf_side; ++column) {
+    static void fill(Leaf& leaf, const ColumnSpans& spans, int k_leaf) {
+        for (int column = 0; column < leaf_columns; ++column) {
             const int first = std::max(spans[column].first - k_leaf, 0);
             const int last = std::min(spans[column].last - k_leaf, leaf_side - 1);
             if (last < first) continue;
