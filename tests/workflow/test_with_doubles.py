@@ -1,5 +1,6 @@
 """The whole workflow on made-up results: what is drawn, what is not, and what stops it."""
 
+import json
 import re
 
 import pandas
@@ -7,7 +8,7 @@ import pytest
 import yaml
 
 REPORT = "results/smoke/report.html"
-SIZE = {"test.length": 24, "test.width": 6, "test.fill_length": 8, "test.count": 200}
+SIZE = {"test.length": 16, "test.width": 6, "test.fill_length": 8, "test.count": 200}
 
 
 def use(workflow, seeds=(1,), **settings):
@@ -50,9 +51,11 @@ def test_grid_to_report_and_nothing_to_do_afterwards(workflow, doubles):
 
 def test_several_seeds_are_drawn(workflow, doubles):
     use(workflow, seeds=(1, 2))
-    code, output = run(workflow, doubles)
+    code, output = run(workflow, doubles, "results/smoke/figures/fig02_global_packing.png", "results/smoke/tables/comparison.csv")
     assert code == 0, output
-    assert "seed 1, 2" in (workflow.folder / REPORT).read_text()
+    sources = json.loads((workflow.folder / "results/smoke/figures/fig02_global_packing.json").read_text())
+    assert sources["seeds"] == [1, 2] and len(sources["files"]) == 8
+    assert len(pandas.read_csv(workflow.folder / "results/smoke/tables/metrics.csv")) == 8
 
 
 @pytest.mark.parametrize(
