@@ -118,6 +118,7 @@ void StageRunner::fault(const SimulationFault& error) {
     const std::filesystem::path file = options_.folder / "fault.vtkhdf";
     const std::size_t stage = std::min(progress_.stage, scene_.stages.size() - 1);
     write_state(file, state_info(scene_, scene_.stages[stage].name), state_of_engine(engine_, scene_.y_period));
+    line_.say(scene_.stages[stage].name + ": fault at step " + std::to_string(engine_.step()) + ".");
     throw SimulationFault(std::string(error.what()) + " The state of the moment before is in " + file.string() + ".");
 }
 

@@ -1,5 +1,9 @@
 #include "solver/scene/initial_particles.hpp"
 
+#include <cmath>
+
+#include "common/error.hpp"
+#include "common/number.hpp"
 #include "common/state.hpp"
 #include "solver/scene/particle_csv.hpp"
 #include "solver/scene/seeding.hpp"
@@ -7,7 +11,19 @@
 namespace recoat {
 namespace {
 
-ParticleTable from_state(const StateSource& source) {
+void refuse_other_value(const StateSource& source, const char* what, double of_state, double of_scene) {
+    if (std::isnan(of_state) || std::abs(of_state - of_scene) <= 1e-9 * std::abs(of_scene)) return;
+    throw InputError(source.file.string() + ": the " + what + " of the state is " + shortest(of_state) +
+                     ", that of the scene " + shortest(of_scene) +
+                     " (SI units); give the scene the value of the state");
+}
+
+/// The particles of a state that was made under the same conditions.
+ParticleTable from_state(const StateSource& source, const Scene& scene) {
+    const StateInfo info = read_state_info(source.file);
+    refuse_other_value(source, "particle diameter", info.diameter, scene.diameter);
+    refuse_other_value(source, "density", info.density, scene.model.density);
+    refuse_other_value(source, "period in y", info.y_period, scene.y_period);
     State state = read_state(source.file);
     return {std::move(state.position), std::move(state.velocity), std::move(state.angular_velocity),
             std::move(state.radius)};
@@ -20,7 +36,7 @@ ParticleTable initial_particles(const Scene& scene) {
         return seed_column(*column, scene.diameter, scene.y_period);
     }
     if (const auto* table = std::get_if<TableSource>(&scene.source)) return read_particle_csv(table->file);
-    return from_state(std::get<StateSource>(scene.source));
+    return from_state(std::get<StateSource>(scene.source), scene);
 }
 
 }  // namespace recoat

@@ -2,7 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <fstream>
+#include <iterator>
 
+#include <fmt/format.h>
+
+#include "common/error.hpp"
 #include "common/number.hpp"
 #include "solver/scene/particle_scene.hpp"
 #include "solver/scene/read_model.hpp"
@@ -23,6 +28,18 @@ void read_output(const Config& output, Scene& scene) {
     scene.output.energy_interval = steps_or_none(output, "energy_interval", 1e-3, scene.time_step);
     scene.output.checkpoint_interval =
         output.quantity_or("checkpoint_interval", Dimension::time, 600, Range::positive());
+}
+
+/// A comment that changes with the content of a file that the scene reads, so that a run with other particles is not
+/// taken for the same one (FNV-1a hash).
+std::string fingerprint(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream) throw InputError(file.string() + ": the file of the particles cannot be opened; check the path");
+    std::uint64_t hash = 0xcbf29ce484222325ULL;
+    for (std::istreambuf_iterator<char> byte(stream), end; byte != end; ++byte) {
+        hash = (hash ^ static_cast<unsigned char>(*byte)) * 0x100000001b3ULL;
+    }
+    return fmt::format("# content of {}: {:016x}\n", file.filename().string(), hash);
 }
 
 void refuse_unstable_step(const Config& config, const Scene& scene) {
@@ -56,7 +73,10 @@ Scene read_scene(Config config, const std::filesystem::path& folder) {
 }
 
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {
-    return read_scene(Config::load(file, overrides), file.parent_path());
+    Scene scene = read_scene(Config::load(file, overrides), file.parent_path());
+    if (const auto* table = std::get_if<TableSource>(&scene.source)) scene.resolved += fingerprint(table->file);
+    if (const auto* state = std::get_if<StateSource>(&scene.source)) scene.resolved += fingerprint(state->file);
+    return scene;
 }
 
 EngineSetup engine_setup(const Scene& scene, int threads) {

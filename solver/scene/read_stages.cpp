@@ -54,7 +54,7 @@ std::string StageReader::name_of(const Config& section, const std::string& kind)
     };
     std::string fallback = kind;
     for (int number = 2; taken(fallback); ++number) fallback = kind + "-" + std::to_string(number);
-    const std::string name = section.text_or("name", fallback);
+    std::string name = section.text_or("name", fallback);
     const bool simple =
         std::ranges::all_of(name, [](unsigned char c) { return std::isalnum(c) || c == '-' || c == '_'; });
     if (name.empty() || !simple) {
@@ -67,7 +67,7 @@ std::string StageReader::name_of(const Config& section, const std::string& kind)
 }
 
 std::string StageReader::wall_of(const Config& section) {
-    const std::string name = section.text("wall");
+    std::string name = section.text("wall");
     std::string known;
     for (const Wall& wall : scene_.walls) {
         if (std::ranges::find(removed_, wall.name) != removed_.end()) continue;

@@ -106,6 +106,32 @@ def test_a_stage_starts_from_a_state_file(solver):
     assert [stage["name"] for stage in solver.summary("again")["stages"]] == ["heap", "spread"]
 
 
+def test_a_state_of_other_particles_is_refused(solver):
+    solver.good("run", "particles.yaml", "--out", "out", "--quiet")
+    text = (solver.folder / "particles.yaml").read_text()
+    text = text.replace("particles: table.csv", "start_from: out/run.vtkhdf")
+    solver.write("next.yaml", text.replace("diameter: 50 um", "diameter: 40 um"))
+    assert "particle diameter" in solver.refusal("run", "next.yaml", "--out", "next")
+    solver.write("next.yaml", text)
+    solver.good("run", "next.yaml", "--out", "next", "--quiet")
+
+
+def test_the_same_scene_with_another_table_is_another_run(solver):
+    solver.good("run", "particles.yaml", "--out", "out", "--quiet")
+    table = (solver.folder / "table.csv").read_text()
+    solver.write("table.csv", table.replace("-0.05", "-0.04"))
+    assert "another configuration" in solver.refusal("run", "particles.yaml", "--out", "out")
+    solver.write("table.csv", table)
+    assert "finished already" in solver("run", "particles.yaml", "--out", "out").stderr
+
+
+def test_resuming_needs_no_input_file(solver):
+    solver.good("run", "particles.yaml", "--out", "out", "--quiet", "--until-step", 100)
+    (solver.folder / "table.csv").unlink()
+    solver.good("resume", "out", "--quiet")
+    assert solver.summary("out")["status"] == "finished"
+
+
 def test_a_finished_run_is_not_repeated_and_another_is_refused(solver):
     solver.good("run", "particles.yaml", "--out", "out", "--quiet")
     again = solver("run", "particles.yaml", "--out", "out")
