@@ -53,10 +53,27 @@ void require_usable(const EngineSetup& setup, const ParticleTable& table) {
                         setup.y_period, least));
 }
 
+[[noreturn]] void refuse(const Wall& wall, const char* problem) {
+    throw InputError(fmt::format("wall '{}': {}", wall.name, problem));
+}
+
+void require_usable(const Wall& wall) {
+    if (!finite(wall.velocity)) refuse(wall, "the velocity is not finite");
+    if (wall.kind == WallKind::plane) {
+        if (!finite(wall.point)) refuse(wall, "the point is not finite");
+        if (!(std::fabs(norm(wall.normal) - 1) < 1e-9)) refuse(wall, "the normal must be a vector of length 1");
+        return;
+    }
+    const Vec3 lo = wall.lower, hi = wall.upper;
+    if (!(lo.x <= hi.x && lo.y <= hi.y && lo.z <= hi.z))
+        refuse(wall, "the lower corner must not be above the upper one, and both must be numbers");
+}
+
 }  // namespace
 
 std::unique_ptr<Engine> make_engine(const EngineSetup& setup, const ParticleTable& particles, std::vector<Wall> walls) {
     require_usable(setup, particles);
+    for (const Wall& wall : walls) require_usable(wall);
     Snapshot snapshot(particles, std::move(walls));
     try {
         require_inside(snapshot.particles, setup, 0);

@@ -47,6 +47,7 @@ public:
 
 private:
     static constexpr std::size_t block_size = 512;
+    static constexpr std::size_t least_blocks = 6;  ///< fewer are done before a second thread has woken up
 
     /// The vector loop, in a function of its own and on a copy of `f`: then the compiler knows that nothing else writes
     /// to its numbers.
@@ -67,7 +68,7 @@ private:
     template <class Body>
     void over_blocks(std::size_t n, const Body& body) const {
         const std::size_t count = blocks(n);
-        if (threads_ == 1 || count < 2) {
+        if (threads_ == 1 || count < least_blocks) {
             for (std::size_t b = 0; b < count; ++b) body(b, b * block_size, std::min(n, (b + 1) * block_size));
             return;
         }

@@ -13,7 +13,7 @@ inline constexpr double far_skin = 0.1;
 
 /// Limits of the close list's margin, in d_p, and the steps it should last.
 inline constexpr double least_margin = 0.003;
-inline constexpr double most_margin = 0.03;
-inline constexpr double steps_per_close_list = 200;
+inline constexpr double most_margin = 0.02;
+inline constexpr double steps_per_close_list = 100;
 
 }  // namespace recoat::limits

@@ -85,11 +85,17 @@ ParticleTable table_of(const Particles& particles, const EngineSetup& setup) {
     return table;
 }
 
-ContactState swapped(ContactState state) {
-    std::swap(state.first, state.second);
-    state.normal = -state.normal;
-    state.tangential_force = -state.tangential_force;
-    return state;
+std::vector<ContactState> ordered(std::vector<ContactState> contacts) {
+    for (ContactState& c : contacts) {
+        if (c.second < 0 || c.first < c.second) continue;
+        std::swap(c.first, c.second);
+        c.normal = -c.normal;
+        c.tangential_force = -c.tangential_force;
+    }
+    std::sort(contacts.begin(), contacts.end(), [](const ContactState& a, const ContactState& b) {
+        return a.first != b.first ? a.first < b.first : a.second < b.second;
+    });
+    return contacts;
 }
 
 }  // namespace recoat

@@ -47,6 +47,7 @@ std::vector<std::int32_t> inverse(const std::vector<std::int32_t>& order);
 
 /// Particles in order of identity, y folded.
 ParticleTable table_of(const Particles& particles, const EngineSetup& setup);
-ContactState swapped(ContactState state);
+/// Contacts with first < second, sorted.
+std::vector<ContactState> ordered(std::vector<ContactState> contacts);
 
 }  // namespace recoat
