@@ -27,7 +27,7 @@ private:
     std::string kind_of(const Config& item) const;
     std::string name_of(const Config& section, const std::string& kind) const;
     std::string wall_of(const Config& section);
-    Segment settle(const Config& section, double default_time) const;
+    Segment settle(const Config& section, double default_energy, double default_time) const;
     Segment travel(const std::string& wall, Vec3 direction, double distance, double speed) const;
     std::vector<Segment> segments(const std::string& kind, const Config& section);
     std::vector<Segment> fill(const Config& section);
@@ -79,9 +79,9 @@ std::string StageReader::wall_of(const Config& section) {
 }
 
 /// Rest is looked for about every 30th part of the time in which a particle falls its own diameter.
-Segment StageReader::settle(const Config& section, double default_time) const {
+Segment StageReader::settle(const Config& section, double default_energy, double default_time) const {
     const double mass = sphere_mass(0.5 * scene_.diameter, scene_.model.density);
-    const double energy = section.number_or("settle_energy", 1e-6, Range::positive());
+    const double energy = section.number_or("settle_energy", default_energy, Range::positive());
     const double time = section.quantity_or("settle_time", Dimension::time, default_time, Range::not_negative());
     const double fall = std::sqrt(2 * scene_.diameter / scene_.reference_gravity);
     const RestCriterion rest{energy * mass * scene_.reference_gravity * scene_.diameter,
@@ -100,11 +100,11 @@ std::vector<Segment> StageReader::fill(const Config& section) {
     if (!std::holds_alternative<ColumnSource>(scene_.source)) {
         section.fail("", "the particles come from start_from, so there is nothing to fill; remove this stage");
     }
-    return {settle(section, 0.2)};
+    return {settle(section, 1e-6, 0.2)};
 }
 
 std::vector<Segment> StageReader::heap(const Config& section) {
-    Segment segment = settle(section, 0.2);
+    Segment segment = settle(section, 1e-4, 0.5);
     if (std::ranges::find(removed_, "gate") == removed_.end()) {
         segment.removed = {"gate"};
         removed_.push_back("gate");
@@ -121,7 +121,7 @@ std::vector<Segment> StageReader::spread(const Config& section) {
         blade_height_ = geometry.clearance;
     }
     result.push_back(travel("blade", {1, 0, 0}, length, geometry.blade_speed));
-    result.push_back(settle(section, 0.05));
+    result.push_back(settle(section, 1e-4, 0.5));
     geometry.length += length;
     return result;
 }
@@ -142,7 +142,7 @@ std::vector<Segment> StageReader::segments(const std::string& kind, const Config
     if (kind == "heap") return heap(section);
     if (kind == "spread") return spread(section);
     if (kind == "move") return move(section);
-    if (kind == "settle") return {settle(section, 0.1)};
+    if (kind == "settle") return {settle(section, 1e-6, 0.1)};
     if (kind == "run")
         return {Segment{{}, {}, steps(section.quantity("duration", Dimension::time, Range::positive())), {}}};
     const std::string wall = wall_of(section);

@@ -111,7 +111,7 @@ def test_check_prints_the_numbers_of_the_paper(solver, root):
     assert limits["Rayleigh time"]["limit"] == pytest.approx(8.6834e-7, rel=1e-4)
     assert limits["Rayleigh time"]["share"] == pytest.approx(0.023, abs=5e-4)
     assert limits["contact time at 0.05 m/s"]["limit"] == pytest.approx(4.471e-6, rel=2e-4)
-    assert {stage["name"]: stage["steps"] for stage in report["stages"]}["spread"] == 25_000_000 + 75_000 + 2_500_000
+    assert {stage["name"]: stage["steps"] for stage in report["stages"]}["spread"] == 25_000_000 + 75_000 + 25_000_000
     assert report["steps"] == sum(stage["steps"] for stage in report["stages"])
     expected = report["expected"]
     assert expected["particle_steps_per_second"] > 1e4

@@ -40,6 +40,20 @@ TEST(Stages, FillSettlesBelowTheStatedEnergy) {
     EXPECT_TRUE(fill.may_end_early());
 }
 
+TEST(Stages, WhatSettlesByDefault) {
+    const Scene scene = scene_of(with_stages("  - fill\n  - heap\n  - spread: {length: 10 dp}\n"));
+    const double unit = 2.844339083698e-9 * d;
+    const Segment fill = scene.stages.at(0).segments.at(0), heap = scene.stages.at(1).segments.at(0);
+    const Segment spread = scene.stages.at(2).segments.at(2);
+    EXPECT_NEAR(fill.rest->energy / unit, 1e-6, 1e-14);
+    EXPECT_NEAR(heap.rest->energy / unit, 1e-4, 1e-12);
+    EXPECT_NEAR(spread.rest->energy / unit, 1e-4, 1e-12);
+    EXPECT_EQ(fill.steps, 10'000'000);
+    EXPECT_EQ(heap.steps, 25'000'000);
+    // a particle falls its diameter in sqrt(2 d_p/g) = 3.193 ms; ten checks cover a third of it
+    EXPECT_NEAR(static_cast<double>(10 * fill.rest->interval) * dt, 3.193e-3 / 3, 1e-6);
+}
+
 TEST(Stages, HeapTakesTheGateAway) {
     const Stage heap = scene_of(spread_text).stages.at(1);
     EXPECT_THAT(heap.segments.at(0).removed, ElementsAre("gate"));
