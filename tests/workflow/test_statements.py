@@ -4,8 +4,19 @@ import numpy
 import pandas
 import pytest
 from statements import (
-    AGREES, DIFFERS, LAYER_STATEMENTS, NOT_TESTABLE, Grid, between, bed_independence, evaluate, only, ratio_statements,
-    trend, within,
+    AGREES,
+    DIFFERS,
+    LAYER_STATEMENTS,
+    NOT_TESTABLE,
+    Grid,
+    bed_independence,
+    between,
+    evaluate,
+    inertial_lengths,
+    only,
+    ratio_statements,
+    trend,
+    within,
 )
 
 
@@ -103,6 +114,12 @@ def test_every_statement_can_be_evaluated_without_its_cases():
 
 def test_rows_have_figure_paper_grid_verdict():
     metrics = table("packing_median", {5: 0.3}).assign(stiffness_ratio=0.5)
-    rows = evaluate(metrics, beds({0.001: 0.55, 0.1: 0.55}, 1e-4), 0.001)
+    rows = evaluate(metrics, beds({0.001: 0.55, 0.1: 0.55}, 1e-4), 0.001, {0.0: 8.494733, 5.0: 1.42})
     assert all(len(row) == 4 and row[3] in (AGREES, DIFFERS, NOT_TESTABLE) for row in rows)
     assert [row[3] for row in rows[:2]] == [AGREES, NOT_TESTABLE]
+    assert [row[3] for row in rows[-5:]] == [AGREES, NOT_TESTABLE, DIFFERS, NOT_TESTABLE, NOT_TESTABLE]
+
+
+def test_printed_inertial_lengths_are_cut_off_not_rounded():
+    exact = {bond: 0.05**2 / (2 * 0.3 * 9.81 * 5e-5 * (1 + bond)) for bond in (0.0, 1.0, 5.0, 50.0, 200.0)}
+    assert [row[3] for row in inertial_lengths(exact)] == [AGREES] * 5

@@ -102,11 +102,13 @@ rule comparison_table:
     input:
         metrics=grid_file("tables/metrics.csv"),
         beds=grid_file("tables/beds.csv"),
+        derived=case_files("derived.json", REFERENCE_LAYERS),
         script=script_file("comparison_table"),
         modules=[script_file("statements"), script_file("reporting")],
     output:
         grid_file("tables/comparison.csv"),
     params:
+        cases=case_labels(REFERENCE_LAYERS),
         reference_ratio=float(REFERENCE_RATIO),
     log:
         grid_file("logs/comparison.log"),

@@ -87,7 +87,7 @@ def picture(layer, colours, norm, classes):
     """Render the layer behind the blade and the heap before it; RGB image."""
     state = layer.state
     blade = blade_bounds(state, layer.width)
-    start = blade[1] - LENGTH
+    start = max(blade[1] - LENGTH, float(state.info["blade_start"]) / state.diameter)
     end = blade[1] + max(10, 0.25 * LENGTH)
     position = state.points / state.diameter
     position[:, 1] = (position[:, 1] - float(state.info["y_min"]) / state.diameter) % layer.width

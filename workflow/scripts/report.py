@@ -47,10 +47,17 @@ def figure_number(name):
     return str(int(re.match(r"fig(\d+)", name).group(1)))
 
 
+def statements_of(comparison, figure):
+    """The rows of the comparison that belong to a figure or section."""
+    if figure.isdigit():
+        return comparison[comparison["figure"].str.extract(r"^(\d+)")[0] == figure]
+    return comparison[comparison["figure"] == figure]
+
+
 def figure_entry(name, captions, bitmap, sources, comparison):
     """What the template needs of one figure."""
     drawn = read_json(sources)
-    mine = comparison[comparison["figure"].astype(str).str.extract(r"(\d+)")[0] == figure_number(name)]
+    mine = statements_of(comparison, figure_number(name))
     first = name != "fig05_rendered_layer"
     return {
         "name": name,
@@ -111,6 +118,8 @@ def context(snakemake):
         "versions": listing(sorted({str(summary["version"]) for summary in summaries})),
         "smallness": smallness(particles),
         "figures": [figure_entry(name, captions, *files[name], comparison) for name in captions if name in files],
+        "absent": [captions[name]["title"] for name in captions if name not in files],
+        "inertial_lengths": html_table(statements_of(comparison, "section 5.5")),
         "checks": listing(checks[0]["checks"]),
         "check_table": check_table(params.cases, checks),
         "beds_table": html_table(pandas.read_csv(inputs.beds)),

@@ -183,7 +183,23 @@ def bed_independence(beds, bond):
     return text, AGREES if difference <= 0.002 else DIFFERS
 
 
-def evaluate(metrics, beds, reference_ratio):
+INERTIAL_LENGTHS = {0.0: 8.49, 1.0: 4.24, 5.0: 1.41, 50.0: 0.16, 200.0: 0.04}  # printed with two decimals, cut off
+
+
+def inertial_lengths(derived):
+    """The printed inertial lengths [paper, section 5.5] beside those of the scenes; derived: Bond number -> I_mu."""
+    rows = []
+    for bond, printed in INERTIAL_LENGTHS.items():
+        statement = f"Bo = {bond:g}: inertial length {printed:g} d_p (cut off after two decimals)"
+        if bond not in derived:
+            rows.append(("section 5.5", statement, *missing([bond])))
+        else:
+            same = math.floor(100 * derived[bond] + 1e-9) == round(100 * printed)
+            rows.append(("section 5.5", statement, f"{derived[bond]:.4g} d_p", AGREES if same else DIFFERS))
+    return rows
+
+
+def evaluate(metrics, beds, reference_ratio, derived):
     """Rows of the comparison: figure, what the paper says, what the grid gives, verdict."""
     grid = Grid(metrics[metrics["stiffness_ratio"] == reference_ratio])
     packed = Grid(beds[beds["stiffness_ratio"] == reference_ratio])
@@ -196,7 +212,7 @@ def evaluate(metrics, beds, reference_ratio):
     rows += ratio_statements(metrics)
     for figure, statement, condition in LAYER_STATEMENTS:
         rows.append((figure, statement, *(condition or largest_cluster)(grid)))
-    return rows
+    return rows + inertial_lengths(derived)
 
 
 def ratio_statements(metrics):
