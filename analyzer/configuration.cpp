@@ -1,5 +1,6 @@
 #include "analyzer/configuration.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -96,7 +97,9 @@ void check_cells(const Config& config, const AnalysisConfig& result) {
         if (window > ny * result.grid + alignment)
             config.fail(key, "the window is wider than the y period; take a smaller one");
     }
-    if (result.phi_x_edge == WindowEdge::interior && result.phi_window > nx * result.grid + alignment) {
+    // Outer nodes drop in pairs, one at either end.
+    const double dropped = std::max(0.0, std::ceil((result.phi_window / result.grid - 1) / 2 - alignment));
+    if (result.phi_x_edge == WindowEdge::interior && std::round(nx) - 2 * dropped < 1) {
         config.fail("phi_x_edge", "no window lies in the region; take a smaller phi_window or a longer region");
     }
 }

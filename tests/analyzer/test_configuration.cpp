@@ -88,6 +88,11 @@ TEST(AnalysisConfiguration, WhatDoesNotFitTogetherIsRefused) {
     EXPECT_NE(error(complete + "grid: 2.5\n").find("y_period: the period is 4.8 cells"), std::string::npos);
     EXPECT_NE(error(complete + "phi_window: 13\n").find("phi_window: the window is wider than the y period"),
               std::string::npos);
+    const std::string short_region =
+        "d_p: 1\ndensity: 1\nh_b: 1\nx_range: [0, 4]\ny_min: 0\ny_period: 8\nphi_x_edge: interior\n";
+    EXPECT_NE(error(short_region + "phi_window: 4\n").find("phi_x_edge: no window lies in the region"),
+              std::string::npos);
+    EXPECT_EQ(read(short_region + "phi_window: 3\n").phi_window, 3);
     EXPECT_NE(error(complete + "voxels_per_dp: [2.5]\n").find("voxels_per_dp: 2.5 is no whole number"),
               std::string::npos);
     EXPECT_NE(error(complete + "voxels_per_dp: [0]\n").find("voxels_per_dp"), std::string::npos);

@@ -88,7 +88,7 @@ TEST(PackingNodes, InteriorDropsWindowsThatReachOut) {
     EXPECT_EQ(count(2), 8);
     EXPECT_EQ(count(3), 8);
     EXPECT_EQ(count(3.5), 6);
-    EXPECT_EQ(count(10), 0);  // 9.5 nodes' half window fits nowhere on this grid
+    EXPECT_EQ(count(10), 0);  // nodes lie half a cell beside the middle of the region
     EXPECT_EQ(packing_nodes(grid, 3, WindowEdge::interior).first, 1);
     EXPECT_EQ(packing_nodes(grid, 3, WindowEdge::overhang).count, 10);
 }
