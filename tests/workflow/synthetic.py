@@ -1,4 +1,4 @@
-"""Made-up powder for tests of the workflow: states in the VTKHDF layout, summaries and metrics that are cheap to make."""
+"""Made-up powder for tests of the workflow: states in the VTKHDF layout and summaries that are cheap to make."""
 
 import json
 
@@ -82,11 +82,19 @@ def write_state(path, centres, stage, bond, ratio, seed, length, width, fill_len
         attributes = file.create_group("recoat").attrs
         attributes.update(
             {
-                "program_version": "0.0-double", "config": SCENE % (width, fill_length), "stage": stage, "seed": seed,
-                "diameter": DIAMETER, "density": 4430.0, "y_min": 0.0, "y_period": width * DIAMETER,
-                "clearance": 1.5 * DIAMETER, "blade_start": 0.0,
+                "program_version": "0.0-double",
+                "config": SCENE % (width, fill_length),
+                "stage": stage,
+                "seed": seed,
+                "diameter": DIAMETER,
+                "density": 4430.0,
+                "y_min": 0.0,
+                "y_period": width * DIAMETER,
+                "clearance": 1.5 * DIAMETER,
+                "blade_start": 0.0,
                 "spread_length": length * DIAMETER if stage == "spread" else numpy.nan,
-                "bond_number": bond, "stiffness_ratio": ratio,
+                "bond_number": bond,
+                "stiffness_ratio": ratio,
             }
         )
 
@@ -95,19 +103,37 @@ def summary(stages, bond=5.0, ratio=0.001, seed=1, particles=300):
     """A summary of a run in which nothing is wrong."""
     steps = 100_000
     stage = {
-        "steps": steps, "time": 2e-3, "settled": True, "wall_seconds": 3.0, "kinetic_energy": 1e-18,
-        "particle_steps_per_second": particles * steps / 3.0, "largest_overlap": 0.002,
+        "steps": steps,
+        "time": 2e-3,
+        "settled": True,
+        "wall_seconds": 3.0,
+        "kinetic_energy": 1e-18,
+        "particle_steps_per_second": particles * steps / 3.0,
+        "largest_overlap": 0.002,
     }
     return {
-        "version": "0.0-double", "config": "", "seed": seed, "particles": particles, "bond_number": bond,
-        "stiffness_ratio": ratio, "time_step": 2e-8, "status": "finished",
+        "version": "0.0-double",
+        "config": "",
+        "seed": seed,
+        "particles": particles,
+        "bond_number": bond,
+        "stiffness_ratio": ratio,
+        "time_step": 2e-8,
+        "status": "finished",
         "stages": [{"name": name, **stage} for name in stages],
         "energy": {
-            "kinetic_translation": 0.0, "gravity": 1e-10, "dissipated_normal": 6e-10, "dissipated_tangential": 3e-10,
-            "dissipated_rolling": 1e-10, "wall_work": 1e-9 if "spread" in stages else 0.0, "balance_error": 2e-12,
+            "kinetic_translation": 0.0,
+            "gravity": 1e-10,
+            "dissipated_normal": 6e-10,
+            "dissipated_tangential": 3e-10,
+            "dissipated_rolling": 1e-10,
+            "wall_work": 1e-9 if "spread" in stages else 0.0,
+            "balance_error": 2e-12,
             "balance_error_relative": 0.002,
         },
-        "particles_lost": 0, "wall_seconds": 3.0 * len(stages), "threads": 1,
+        "particles_lost": 0,
+        "wall_seconds": 3.0 * len(stages),
+        "threads": 1,
     }
 
 

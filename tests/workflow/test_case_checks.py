@@ -15,7 +15,10 @@ def good_run(particles=300):
     summary = synthetic.summary(STAGES, particles=particles)
     points = numpy.full((particles, 3), 2.5e-5)
     data = {"Id": numpy.arange(particles), "Velocity": numpy.zeros((particles, 3))}
-    states = [State(f"{stage}.vtkhdf", points.copy(), {name: values.copy() for name, values in data.items()}) for stage in STAGES]
+    states = [
+        State(f"{stage}.vtkhdf", points.copy(), {name: values.copy() for name, values in data.items()})
+        for stage in STAGES
+    ]
     metrics = {
         "layer.json": {
             "clusters": {"n_particles": 200, "cn_fraction": [0.75, 0.25], "size_fraction": {"1": 0.75, "2": 0.25}},
@@ -114,7 +117,9 @@ def test_overlap_not_a_number():
 
 
 def test_not_settled():
-    assert "stage heap ended before the particles came to rest" in broken(lambda s, *_: s["stages"][1].update(settled=False))
+    assert "stage heap ended before the particles came to rest" in broken(
+        lambda s, *_: s["stages"][1].update(settled=False)
+    )
 
 
 def test_stage_missing():

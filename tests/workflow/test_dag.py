@@ -75,7 +75,10 @@ def test_bad_grid_is_refused(workflow, doubles, values, sentence):
 
 
 def test_one_number_written_in_two_ways_is_one_case(workflow, doubles):
-    layers = [{"bond_numbers": ["5e0"], "stiffness_ratios": ["1e-3"]}, {"bond_numbers": [5.0], "stiffness_ratios": [0.001]}]
+    layers = [
+        {"bond_numbers": ["5e0"], "stiffness_ratios": ["1e-3"]},
+        {"bond_numbers": [5.0], "stiffness_ratios": [0.001]},
+    ]
     change(workflow, "smoke", layers=layers)
     assert planned(dry_run(workflow, doubles, "config/smoke.yaml"), "simulate_layer") == 1
 

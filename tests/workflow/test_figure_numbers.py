@@ -60,7 +60,9 @@ def test_perpendicular_groups(tmp_path):
 
 def test_particles_outside_the_region_do_not_count(tmp_path):
     found = layer(tmp_path)
-    found.__dict__["state"] = type("S", (), {"points": numpy.array([[1.5, 0, 0], [2.0, 0, 0], [5.9, 0, 0], [6.0, 0, 0]]) * 5e-5})
+    found.__dict__["state"] = type(
+        "S", (), {"points": numpy.array([[1.5, 0, 0], [2.0, 0, 0], [5.9, 0, 0], [6.0, 0, 0]]) * 5e-5}
+    )
     assert found.counts([0, 0, 1, 1], 2).tolist() == [[1, 0], [0, 0], [0, 0], [0, 1]]
 
 
@@ -77,8 +79,18 @@ def test_groups_are_sorted_by_bond_number(tmp_path):
 
 
 def test_derived_numbers_are_flattened_by_name():
-    derived = {"mass": 1.0, "limits": [{"name": "Rayleigh", "limit": 2.0}, {"name": "contact", "limit": 3.0}], "range": [4, 5]}
-    assert flatten(derived) == {"mass": 1.0, "limits.Rayleigh.limit": 2.0, "limits.contact.limit": 3.0, "range.0": 4, "range.1": 5}
+    derived = {
+        "mass": 1.0,
+        "limits": [{"name": "Rayleigh", "limit": 2.0}, {"name": "contact", "limit": 3.0}],
+        "range": [4, 5],
+    }
+    assert flatten(derived) == {
+        "mass": 1.0,
+        "limits.Rayleigh.limit": 2.0,
+        "limits.contact.limit": 3.0,
+        "range.0": 4,
+        "range.1": 5,
+    }
 
 
 def test_derived_table_leaves_out_what_the_machine_decides():
@@ -88,11 +100,23 @@ def test_derived_table_leaves_out_what_the_machine_decides():
 
 
 def test_runtime_of_a_run():
-    found = runtime_table([{"bond": 5.0, "ratio": 0.001, "seed": 1}], [synthetic.summary(["fill", "spread"], particles=300)])
+    found = runtime_table(
+        [{"bond": 5.0, "ratio": 0.001, "seed": 1}], [synthetic.summary(["fill", "spread"], particles=300)]
+    )
     assert found["stage"].tolist() == ["fill", "spread", "all"]
     assert found["particle_steps_per_second"].tolist() == pytest.approx([1e7, 1e7, 1e7])
 
 
-@pytest.mark.parametrize("value, text", [("0.00012345678", "0.0001235"), ("sphere", "sphere"), (float("nan"), ""), (12345678, "12345678"), ("250", "250"), ("1e", "1e")])
+@pytest.mark.parametrize(
+    "value, text",
+    [
+        ("0.00012345678", "0.0001235"),
+        ("sphere", "sphere"),
+        (float("nan"), ""),
+        (12345678, "12345678"),
+        ("250", "250"),
+        ("1e", "1e"),
+    ],
+)
 def test_table_cells(value, text):
     assert cell(value) == text

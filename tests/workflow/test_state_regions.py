@@ -44,7 +44,9 @@ def test_last_step_of_a_trajectory(tmp_path):
     assert state.radius.tolist() == [1, 2, 3]
 
 
-@pytest.mark.parametrize("text, metres", [("4 dp", 4 * DIAMETER), ("50 um", 5e-5), ("0.0002 m", 2e-4), ("1e-1 mm", 1e-4)])
+@pytest.mark.parametrize(
+    "text, metres", [("4 dp", 4 * DIAMETER), ("50 um", 5e-5), ("0.0002 m", 2e-4), ("1e-1 mm", 1e-4)]
+)
 def test_length(text, metres):
     assert length(text, DIAMETER) == pytest.approx(metres)
 

@@ -3,29 +3,22 @@
 import numpy
 import pandas
 import pytest
-from statements import (
-    AGREES,
-    DIFFERS,
-    LAYER_STATEMENTS,
-    NOT_TESTABLE,
-    Grid,
-    bed_independence,
-    between,
-    evaluate,
-    inertial_lengths,
-    only,
-    ratio_statements,
-    trend,
-    within,
-)
+from statements import LAYER_STATEMENTS, bed_independence, evaluate, inertial_lengths, ratio_statements
+from verdicts import AGREES, DIFFERS, NOT_TESTABLE, Grid, between, only, trend, within
 
 
 def table(name, values, half=0.01):
     """One row per Bond number of a metric with intervals of +- half."""
     return pandas.DataFrame(
         [
-            {"bond_number": float(bond), "stiffness_ratio": 0.001, "seed": 1, name: value,
-             f"{name}_lower": value - half, f"{name}_upper": value + half}
+            {
+                "bond_number": float(bond),
+                "stiffness_ratio": 0.001,
+                "seed": 1,
+                name: value,
+                f"{name}_lower": value - half,
+                f"{name}_upper": value + half,
+            }
             for bond, value in values.items()
         ]
     )
@@ -52,7 +45,8 @@ def test_missing_bond_number_is_named():
 
 
 @pytest.mark.parametrize(
-    "value, half, verdict", [(0.995, 0.01, AGREES), (0.95, 0.01, DIFFERS), (0.985, 0.01, NOT_TESTABLE), (0.95, numpy.nan, DIFFERS)]
+    "value, half, verdict",
+    [(0.995, 0.01, AGREES), (0.95, 0.01, DIFFERS), (0.985, 0.01, NOT_TESTABLE), (0.95, numpy.nan, DIFFERS)],
 )
 def test_bound(value, half, verdict):
     grid = Grid(table("m", {0: value}, half))
@@ -75,8 +69,14 @@ def test_several_seeds_give_mean_and_range():
 def beds(densities, half):
     return pandas.DataFrame(
         [
-            {"bond_number": 5.0, "stiffness_ratio": ratio, "seed": 1, "packing_density": value,
-             "packing_density_lower": value - half, "packing_density_upper": value + half}
+            {
+                "bond_number": 5.0,
+                "stiffness_ratio": ratio,
+                "seed": 1,
+                "packing_density": value,
+                "packing_density_lower": value - half,
+                "packing_density_upper": value + half,
+            }
             for ratio, value in densities.items()
         ]
     )
@@ -99,7 +99,10 @@ def test_bed_does_not_depend_on_stiffness(densities, half, verdict):
 
 def test_layers_at_several_ratios():
     rows = pandas.concat(
-        [table("packing_median", {5: value}, 0.001).assign(stiffness_ratio=ratio) for ratio, value in ((0.001, 0.30), (0.01, 0.29))]
+        [
+            table("packing_median", {5: value}, 0.001).assign(stiffness_ratio=ratio)
+            for ratio, value in ((0.001, 0.30), (0.01, 0.29))
+        ]
     )
     assert [row[3] for row in ratio_statements(rows)] == [AGREES, NOT_TESTABLE]
 

@@ -51,7 +51,9 @@ def test_grid_to_report_and_nothing_to_do_afterwards(workflow, doubles):
 
 def test_several_seeds_are_drawn(workflow, doubles):
     use(workflow, seeds=(1, 2))
-    code, output = run(workflow, doubles, "results/smoke/figures/fig02_global_packing.png", "results/smoke/tables/comparison.csv")
+    code, output = run(
+        workflow, doubles, "results/smoke/figures/fig02_global_packing.png", "results/smoke/tables/comparison.csv"
+    )
     assert code == 0, output
     sources = json.loads((workflow.folder / "results/smoke/figures/fig02_global_packing.json").read_text())
     assert sources["seeds"] == [1, 2] and len(sources["files"]) == 8

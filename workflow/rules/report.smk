@@ -104,7 +104,7 @@ rule comparison_table:
         beds=grid_file("tables/beds.csv"),
         derived=case_files("derived.json", REFERENCE_LAYERS),
         script=script_file("comparison_table"),
-        modules=[script_file("statements"), script_file("reporting")],
+        modules=[script_file("statements"), script_file("verdicts"), script_file("reporting")],
     output:
         grid_file("tables/comparison.csv"),
     params:

@@ -7,7 +7,7 @@ from reporting import logged, write_text
 
 
 def table(beds):
-    """eq14_clipped cuts the spheres at 0.9 z_max; the other two forms take whole spheres (see the analyser's totals)."""
+    """eq14_clipped cuts the spheres at 0.9 z_max; the other two forms take whole spheres."""
     rows = []
     for bed in beds:
         value, lower, upper = bed_density(bed)

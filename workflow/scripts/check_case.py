@@ -95,7 +95,9 @@ def metrics_plausible(metrics):
         if abs(sum(clusters["cn_fraction"]) - 1) > 1e-6 or abs(sum(clusters["size_fraction"].values()) - 1) > 1e-6:
             return f"{path}: shares of the coordination number or the cluster size do not sum to one"
         if not 0 < values["totals"]["eq14_clipped"] < 0.7405:
-            return f"{path}: a global packing density of {values['totals']['eq14_clipped']:.3g} is impossible for spheres"
+            return (
+                f"{path}: a global packing density of {values['totals']['eq14_clipped']:.3g} is impossible for spheres"
+            )
     return None
 
 

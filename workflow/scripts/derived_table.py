@@ -4,7 +4,6 @@ import pandas
 
 from reporting import describe, logged, read_json, write_text
 
-
 MACHINE = ["expected"]  # measured where the workflow runs, not derived from the scene
 
 

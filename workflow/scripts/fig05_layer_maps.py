@@ -20,8 +20,16 @@ def draw_particles(axes, layer, extent, colours, norm, classes):
     centres = numpy.column_stack([position[shown, 0], y[shown]])[order]
     diameters = 2 * layer.state.radius[shown][order] / layer.diameter
     disks = EllipseCollection(
-        diameters, diameters, numpy.zeros(len(order)), units="xy", offsets=centres, offset_transform=axes.transData,
-        cmap=colours, norm=norm, edgecolors="black", linewidths=0.15,
+        diameters,
+        diameters,
+        numpy.zeros(len(order)),
+        units="xy",
+        offsets=centres,
+        offset_transform=axes.transData,
+        cmap=colours,
+        norm=norm,
+        edgecolors="black",
+        linewidths=0.15,
     )
     disks.set_array(numpy.minimum(layer.coordination[shown][order], classes - 1))
     axes.add_collection(disks)
@@ -42,8 +50,13 @@ def draw(layers):
         extent = (layer.x_range[0], layer.x_range[0] + length)
         disks = draw_particles(left, layer, extent, colours, norm, classes)
         image = right.imshow(
-            layer.packing[: round(length)].T, origin="lower", extent=(*extent, 0, layer.width),
-            vmin=0, vmax=densest, cmap=PACKING_MAP, interpolation="nearest",
+            layer.packing[: round(length)].T,
+            origin="lower",
+            extent=(*extent, 0, layer.width),
+            vmin=0,
+            vmax=densest,
+            cmap=PACKING_MAP,
+            interpolation="nearest",
         )
         for axes in (left, right):
             axes.set_aspect("equal")

@@ -139,9 +139,7 @@ def crop(image, margin=12):
     """The image without its white border."""
     inked = (image < 250).any(axis=2)
     rows, columns = numpy.flatnonzero(inked.any(axis=1)), numpy.flatnonzero(inked.any(axis=0))
-    return image[
-        max(rows[0] - margin, 0) : rows[-1] + margin, max(columns[0] - margin, 0) : columns[-1] + margin
-    ]
+    return image[max(rows[0] - margin, 0) : rows[-1] + margin, max(columns[0] - margin, 0) : columns[-1] + margin]
 
 
 def draw(layers):
@@ -151,7 +149,9 @@ def draw(layers):
     figure, axes = pyplot.subplots(figsize=(PAGE, PAGE * image.shape[0] / image.shape[1] + 0.55))
     axes.imshow(image)
     axes.set_axis_off()
-    axes.set_title(f"{bond_label(layer.bond)}, blade clearance {float(layer.state.info['clearance']) / layer.diameter:g} $d_p$")
+    axes.set_title(
+        f"{bond_label(layer.bond)}, blade clearance {float(layer.state.info['clearance']) / layer.diameter:g} $d_p$"
+    )
     scale = pyplot.cm.ScalarMappable(norm, colours)
     bar = figure.colorbar(scale, ax=axes, location="bottom", ticks=range(classes), shrink=0.5, aspect=35)
     bar.ax.set_xticklabels(coordination_ticks(classes))

@@ -23,7 +23,12 @@ def draw(layers):
         heights, shares = vertical_shares(members)
         found = shares > 0
         axes.plot(
-            heights[found], 100 * shares[found], color=colours[bond], marker=marker, markersize=3.5, linewidth=0.9,
+            heights[found],
+            100 * shares[found],
+            color=colours[bond],
+            marker=marker,
+            markersize=3.5,
+            linewidth=0.9,
             label=bond_label(bond),
         )
     axes.set_yscale("log")

@@ -20,7 +20,11 @@ def class_shares(size_fraction):
     """Share of all particles in each class of cluster size, from the share of each size."""
     return numpy.array(
         [
-            sum(share for size, share in size_fraction.items() if int(size) >= first and int(size) <= (last or int(size)))
+            sum(
+                share
+                for size, share in size_fraction.items()
+                if int(size) >= first and int(size) <= (last or int(size))
+            )
             for first, last in CLASSES
         ]
     )

@@ -26,7 +26,13 @@ def draw_panel(axes, groups, bonds, colours):
             shares = [layer.metrics["clusters"]["orientation"][size]["fraction_of_all"] for layer in groups[bond]]
             heights = 100 * numpy.mean(shares, axis=0)
             axes.bar(
-                left, heights, width, bottom, align="edge", color=tint(colours[bond], strength), edgecolor="black",
+                left,
+                heights,
+                width,
+                bottom,
+                align="edge",
+                color=tint(colours[bond], strength),
+                edgecolor="black",
                 linewidth=0.25,
             )
             bottom += heights
@@ -45,9 +51,16 @@ def draw(layers):
         axes.set_ylabel("Share of particles [%]")
         axes.margins(x=0.01)
         axes.set_ylim(top=1.05 * axes.dataLim.y1)
-        hues = [Patch(facecolor=colours[bond], edgecolor="black", linewidth=0.3, label=bond_label(bond)) for bond in bonds]
+        hues = [
+            Patch(facecolor=colours[bond], edgecolor="black", linewidth=0.3, label=bond_label(bond)) for bond in bonds
+        ]
         tints = [
-            Patch(facecolor=tint((0, 0, 0), strength), edgecolor="black", linewidth=0.3, label=f"size {size.replace('>=', '≥ ')}")
+            Patch(
+                facecolor=tint((0, 0, 0), strength),
+                edgecolor="black",
+                linewidth=0.3,
+                label=f"size {size.replace('>=', '≥ ')}",
+            )
             for size, strength in GROUPS.items()
         ]
         axes.legend(handles=hues + tints, loc="center left", bbox_to_anchor=(1.0, 0.5))

@@ -24,7 +24,11 @@ def cell(value):
     if isinstance(value, float):
         return "" if pandas.isna(value) else f"{value:.4g}"
     try:
-        return cell(float(value)) if isinstance(value, str) and re.fullmatch(r"[-+0-9.eE]*[.eE][-+0-9.eE]*", value) else str(value)
+        return (
+            cell(float(value))
+            if isinstance(value, str) and re.fullmatch(r"[-+0-9.eE]*[.eE][-+0-9.eE]*", value)
+            else str(value)
+        )
     except ValueError:
         return str(value)
 
@@ -63,7 +67,9 @@ def figure_entry(name, captions, bitmap, sources, comparison):
         "name": name,
         "title": captions[name]["title"],
         "caption": captions[name]["caption"],
-        "width": "column" if name in ("fig02_global_packing", "fig07_vertical_distribution", "fig13_roughness") else "page",
+        "width": (
+            "column" if name in ("fig02_global_packing", "fig07_vertical_distribution", "fig13_roughness") else "page"
+        ),
         "image": base64.b64encode(Path(bitmap).read_bytes()).decode(),
         "bonds": listing(drawn["bond_numbers"]),
         "ratios": listing(drawn["stiffness_ratios"]),
@@ -95,8 +101,8 @@ def smallness(particles):
     if min(particles) >= PAPER_PARTICLES:
         return ""
     return (
-        f"The paper has {PAPER_PARTICLES} particles and 390 particle diameters of layer: what a smaller grid cannot settle "
-        'is called "not testable" below.'
+        f"The paper has {PAPER_PARTICLES} particles and 390 particle diameters of layer: what a smaller grid cannot "
+        'settle is called "not testable" below.'
     )
 
 
@@ -105,7 +111,9 @@ def context(snakemake):
     inputs, params = snakemake.input, snakemake.params
     captions = yaml.safe_load(Path(inputs.captions).read_text())
     comparison = pandas.read_csv(inputs.comparison, dtype={"figure": str})
-    files = {Path(bitmap).stem: (bitmap, sources) for bitmap, sources in zip(inputs.figures, inputs.sources, strict=True)}
+    files = {
+        Path(bitmap).stem: (bitmap, sources) for bitmap, sources in zip(inputs.figures, inputs.sources, strict=True)
+    }
     summaries = [read_json(path) for path in inputs.summaries]
     checks = [read_json(path) for path in inputs.checks]
     particles = sorted({summary["particles"] for summary in summaries})

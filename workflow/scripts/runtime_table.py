@@ -43,4 +43,6 @@ def table(cases, summaries):
 if __name__ == "__main__":
     with logged(snakemake):
         summaries = [read_json(path) for path in snakemake.input.summaries]
-        write_text(snakemake.output[0], table(snakemake.params.cases, summaries).to_csv(index=False, float_format="%.6g"))
+        write_text(
+            snakemake.output[0], table(snakemake.params.cases, summaries).to_csv(index=False, float_format="%.6g")
+        )

@@ -1,158 +1,102 @@
-"""What the paper states about layers and beds, as conditions that a table of metrics can be held against.
-
-A verdict is "agrees", "differs" or "not testable": the last where the grid lacks the cases, or where the difference is
-smaller than the uncertainty of the runs. No number here is adjusted to our results.
-"""
+"""What the paper states about layers and beds. No number here is adjusted to our results."""
 
 import math
-from dataclasses import dataclass
-from itertools import pairwise
 
-AGREES, DIFFERS, NOT_TESTABLE = "agrees", "differs", "not testable"
-
-
-@dataclass
-class Measured:
-    """A value with its interval: of the bootstrap for one run, of the runs themselves for several seeds."""
-
-    value: float
-    lower: float
-    upper: float
-
-
-class Grid:
-    """Metrics of the layers of one stiffness ratio, looked up by Bond number."""
-
-    def __init__(self, table):
-        self.table = table
-
-    def bonds(self, lowest=0.0, highest=math.inf):
-        """Bond numbers of the grid from lowest to highest, both included."""
-        return sorted(bond for bond in self.table["bond_number"].unique() if lowest <= bond <= highest)
-
-    def measured(self, name, bond):
-        """A metric at one Bond number, or None where the grid has no such case."""
-        rows = self.table[self.table["bond_number"] == bond]
-        if rows.empty:
-            return None
-        values = rows[name]
-        if len(rows) > 1:
-            return Measured(values.mean(), values.min(), values.max())
-        row = rows.iloc[0]
-        return Measured(row[name], row[f"{name}_lower"], row[f"{name}_upper"])
-
-
-def written(measured, scale=100, unit=" %"):
-    """A measured value with its interval, as text."""
-    text = f"{scale * measured.value:.3g}"
-    if math.isfinite(measured.lower):
-        text += f" [{scale * measured.lower:.3g}, {scale * measured.upper:.3g}]"
-    return text + unit
-
-
-def missing(bonds):
-    """Result where the grid lacks Bond numbers."""
-    return "no case at Bo = " + ", ".join(f"{bond:g}" for bond in bonds), NOT_TESTABLE
-
-
-def step_sign(before, after):
-    """1 or -1 where the change is larger than its uncertainty, 0 where it is not."""
-    change = after.value - before.value
-    half = [0.5 * (m.upper - m.lower) if math.isfinite(m.upper - m.lower) else 0.0 for m in (before, after)]
-    return 0 if abs(change) <= math.hypot(*half) else int(math.copysign(1, change))
-
-
-def trend(name, bonds, signs, scale=100, unit=" %"):
-    """The metric rises (1) or falls (-1) from each Bond number to the next."""
-
-    def evaluate(grid):
-        values = [grid.measured(name, bond) for bond in bonds]
-        absent = [bond for bond, value in zip(bonds, values) if value is None]
-        if absent:
-            return missing(absent)
-        found = [step_sign(before, after) for before, after in pairwise(values)]
-        text = "; ".join(f"Bo {bond:g}: {written(value, scale, unit)}" for bond, value in zip(bonds, values))
-        if any(have == -want for have, want in zip(found, signs)):
-            return text, DIFFERS
-        return text, AGREES if all(have == want for have, want in zip(found, signs)) else NOT_TESTABLE
-
-    return evaluate
-
-
-def within(name, bonds, lower=-math.inf, upper=math.inf, scale=100, unit=" %"):
-    """The metric lies between two bounds at every Bond number that is asked for and in the grid."""
-
-    def evaluate(grid):
-        chosen = bonds(grid)
-        if not chosen:
-            return "no such case", NOT_TESTABLE
-        values = {bond: grid.measured(name, bond) for bond in chosen}
-        text = "; ".join(f"Bo {bond:g}: {written(value, scale, unit)}" for bond, value in values.items())
-        verdicts = [bounded(value, lower, upper) for value in values.values()]
-        if DIFFERS in verdicts:
-            return text, DIFFERS
-        return text, NOT_TESTABLE if NOT_TESTABLE in verdicts else AGREES
-
-    return evaluate
-
-
-def bounded(measured, lower, upper):
-    """Whether a value lies within bounds; outside, but with an interval that reaches them, is not testable."""
-    if lower <= measured.value <= upper:
-        return AGREES
-    reaches = math.isfinite(measured.lower) and measured.lower <= upper and measured.upper >= lower
-    return NOT_TESTABLE if reaches else DIFFERS
-
-
-def only(*bonds):
-    """These Bond numbers, as far as the grid has them."""
-    return lambda grid: [bond for bond in bonds if bond in grid.bonds()]
-
-
-def between(lowest, highest=math.inf, above=False):
-    """The grid's Bond numbers in a range; above leaves out the lowest itself."""
-    return lambda grid: [bond for bond in grid.bonds(lowest, highest) if bond > lowest or not above]
-
+from verdicts import AGREES, DIFFERS, NOT_TESTABLE, Grid, between, missing, only, trend, within
 
 RISE, FALL = 1, -1
 
 LAYER_STATEMENTS = [
-    ("5", "Bo = 0: local packing density reaches 0.3 (read as 0.25 to 0.35)",
-     within("packing_largest", only(0), 0.25, 0.35, 1, "")),
-    ("6", "Coordination number below 5 for every Bo",
-     within("largest_coordination_number", between(0), upper=4, scale=1, unit="")),
-    ("6", "Bo = 0: almost 45 % of the particles without contact (read as 40 to 50 %)",
-     within("coordination_0", only(0), 0.40, 0.50)),
+    (
+        "5",
+        "Bo = 0: local packing density reaches 0.3 (read as 0.25 to 0.35)",
+        within("packing_largest", only(0), 0.25, 0.35, 1, ""),
+    ),
+    (
+        "6",
+        "Coordination number below 5 for every Bo",
+        within("largest_coordination_number", between(0), upper=4, scale=1, unit=""),
+    ),
+    (
+        "6",
+        "Bo = 0: almost 45 % of the particles without contact (read as 40 to 50 %)",
+        within("coordination_0", only(0), 0.40, 0.50),
+    ),
     ("6a", "Particles without contact: fewer from Bo 0 to 1", trend("coordination_0", [0, 1], [FALL])),
     ("6a", "Particles with one contact: more from Bo 0 to 1", trend("coordination_1", [0, 1], [RISE])),
-    ("6b", "Particles without contact: more from Bo 1 to 50, fewer to 200, more to 400",
-     trend("coordination_0", [1, 50, 200, 400], [RISE, FALL, RISE])),
-    ("7", "Bo < 1: more than 99 % of the particles touch the base",
-     within("touching_base", lambda grid: [bond for bond in grid.bonds() if bond < 1], lower=0.99)),
-    ("7", "Bo > 50: fewer than 5 % of the centres above 1 d_p",
-     within("centre_above_1", between(50, above=True), upper=0.05)),
-    ("8a", "Median local packing density: falls from Bo 200 to 400", trend("packing_median", [200, 400], [FALL], 1, "")),
-    ("8b", "IQR / median: local minimum at Bo = 50", trend("packing_iqr_over_median", [5, 50, 200], [FALL, RISE], 1, "")),
+    (
+        "6b",
+        "Particles without contact: more from Bo 1 to 50, fewer to 200, more to 400",
+        trend("coordination_0", [1, 50, 200, 400], [RISE, FALL, RISE]),
+    ),
+    (
+        "7",
+        "Bo < 1: more than 99 % of the particles touch the base",
+        within("touching_base", lambda grid: [bond for bond in grid.bonds() if bond < 1], lower=0.99),
+    ),
+    (
+        "7",
+        "Bo > 50: fewer than 5 % of the centres above 1 d_p",
+        within("centre_above_1", between(50, above=True), upper=0.05),
+    ),
+    (
+        "8a",
+        "Median local packing density: falls from Bo 200 to 400",
+        trend("packing_median", [200, 400], [FALL], 1, ""),
+    ),
+    (
+        "8b",
+        "IQR / median: local minimum at Bo = 50",
+        trend("packing_iqr_over_median", [5, 50, 200], [FALL, RISE], 1, ""),
+    ),
     ("8b", "IQR / median: rises from Bo 200 to 400", trend("packing_iqr_over_median", [200, 400], [RISE], 1, "")),
     ("10", "Bo = 0: largest cluster 136 particles (one layer of 390 by 40 d_p; an extreme value)", None),
     ("10a", "Share of particles in clusters of 2 and 3: more from Bo 0 to 1", trend("cluster_2_to_3", [0, 1], [RISE])),
     ("10a", "Share of particles in clusters above 8: less from Bo 0 to 1", trend("cluster_above_8", [0, 1], [FALL])),
-    ("10", "1 < Bo ≤ 50: more than 95 % of the particles in clusters of size below 9",
-     within("cluster_below_9", between(1, 50, above=True), lower=0.95)),
+    (
+        "10",
+        "1 < Bo ≤ 50: more than 95 % of the particles in clusters of size below 9",
+        within("cluster_below_9", between(1, 50, above=True), lower=0.95),
+    ),
     ("10b", "Share of clustered particles: more from Bo 50 to 200", trend("clustered", [50, 200], [RISE])),
-    ("10b", "Share of particles in clusters above 2: less from Bo 200 to 400", trend("cluster_above_2", [200, 400], [FALL])),
-    ("11a", "0 < Bo ≤ 1: doublets tend along x (share at 45° or more below 50 %)",
-     within("perpendicular_doublets", between(0, 1, above=True), upper=0.5)),
-    ("11b", "50 ≤ Bo ≤ 200: clusters tend across x (share at 45° or more above 50 %)",
-     within("perpendicular", between(50, 200), lower=0.5)),
+    (
+        "10b",
+        "Share of particles in clusters above 2: less from Bo 200 to 400",
+        trend("cluster_above_2", [200, 400], [FALL]),
+    ),
+    (
+        "11a",
+        "0 < Bo ≤ 1: doublets tend along x (share at 45° or more below 50 %)",
+        within("perpendicular_doublets", between(0, 1, above=True), upper=0.5),
+    ),
+    (
+        "11b",
+        "50 ≤ Bo ≤ 200: clusters tend across x (share at 45° or more above 50 %)",
+        within("perpendicular", between(50, 200), lower=0.5),
+    ),
     ("11b", "Orientation more random at Bo 400 than at 200", trend("perpendicular", [200, 400], [FALL])),
-    ("12", "Bo ≤ 1: more than 80 % of the nodes with 0.75 d_p < z ≤ 1 d_p", within("height_0.75_to_1", between(0, 1), lower=0.8)),
+    (
+        "12",
+        "Bo ≤ 1: more than 80 % of the nodes with 0.75 d_p < z ≤ 1 d_p",
+        within("height_0.75_to_1", between(0, 1), lower=0.8),
+    ),
     ("12", "Empty nodes: fewer from Bo 1 to 50, more to 400", trend("empty_area", [1, 50, 400], [FALL, RISE])),
-    ("12", "Nodes above 1 d_p: more from Bo 5 to 50, fewer to 400", trend("height_above_1", [5, 50, 400], [RISE, FALL])),
-    ("12", "Surface height never above the clearance of 1.5 d_p",
-     within("height_largest_dp", between(0), upper=1.5, scale=1, unit=" d_p")),
+    (
+        "12",
+        "Nodes above 1 d_p: more from Bo 5 to 50, fewer to 400",
+        trend("height_above_1", [5, 50, 400], [RISE, FALL]),
+    ),
+    (
+        "12",
+        "Surface height never above the clearance of 1.5 d_p",
+        within("height_largest_dp", between(0), upper=1.5, scale=1, unit=" d_p"),
+    ),
     ("13", "Bo ≤ 1: roughness falls with Bo, towards 0.12 d_p", trend("roughness_dp", [0, 1], [FALL], 1, " d_p")),
-    ("13", "Bo = 1: roughness about 0.12 d_p (read as 0.10 to 0.14)", within("roughness_dp", only(1), 0.10, 0.14, 1, " d_p")),
+    (
+        "13",
+        "Bo = 1: roughness about 0.12 d_p (read as 0.10 to 0.14)",
+        within("roughness_dp", only(1), 0.10, 0.14, 1, " d_p"),
+    ),
     ("13", "Roughness: local minimum at Bo = 50", trend("roughness_dp", [5, 50, 200], [FALL, RISE], 1, " d_p")),
     ("13", "Roughness rises from Bo 200 to 400", trend("roughness_dp", [200, 400], [RISE], 1, " d_p")),
 ]
@@ -204,7 +148,11 @@ def evaluate(metrics, beds, reference_ratio, derived):
     grid = Grid(metrics[metrics["stiffness_ratio"] == reference_ratio])
     packed = Grid(beds[beds["stiffness_ratio"] == reference_ratio])
     rows = [
-        ("2", f"Bo = {bond:g}: global packing density within 0.2 % at every stiffness ratio", *bed_independence(beds, bond))
+        (
+            "2",
+            f"Bo = {bond:g}: global packing density within 0.2 % at every stiffness ratio",
+            *bed_independence(beds, bond),
+        )
         for bond in (5, 50)
     ]
     looser = trend("packing_density", [5, 50], [FALL], 1, "")
@@ -219,8 +167,12 @@ def ratio_statements(metrics):
     """Medians of the local packing density at all stiffness ratios within the paper's bounds [figure 4]."""
     rows = []
     for bond, bound in ((5, 0.036), (50, 0.053)):
-        layers = Grid(metrics[metrics["bond_number"] == bond].assign(bond_number=lambda table: table["stiffness_ratio"]))
-        statement = f"Bo = {bond:g}: medians of the local packing density differ by less than {100 * bound:g} % between ratios"
+        layers = Grid(
+            metrics[metrics["bond_number"] == bond].assign(bond_number=lambda table: table["stiffness_ratio"])
+        )
+        statement = (
+            f"Bo = {bond:g}: medians of the local packing density differ by less than {100 * bound:g} % between ratios"
+        )
         ratios = layers.bonds()
         if len(ratios) < 2:
             rows.append(("4", statement, f"no layers of Bo = {bond:g} at several stiffness ratios", NOT_TESTABLE))
