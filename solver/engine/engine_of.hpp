@@ -16,6 +16,7 @@
 #include "solver/engine/limits.hpp"
 #include "solver/engine/moving_walls.hpp"
 #include "solver/engine/particle_pass.hpp"
+#include "solver/engine/partners.hpp"
 #include "solver/engine/snapshot.hpp"
 
 namespace recoat {
@@ -40,10 +41,14 @@ public:
             start();
         else
             restore_lists();
+        kept_ = s_;
     }
 
-    void advance(std::int64_t steps) override {
+    void advance(std::int64_t steps) override try {
         for (std::int64_t k = 0; k < steps; ++k) step_once();
+    } catch (const SimulationFault&) {
+        rewind(s_.step);
+        throw;
     }
 
     [[nodiscard]] std::int64_t step() const override { return s_.step; }
@@ -52,7 +57,10 @@ public:
     [[nodiscard]] double kinetic_energy() const override { return kinetic(s_.particles, sizes_).total(); }
     [[nodiscard]] double largest_overlap() const override { return s_.largest_overlap / setup_.diameter; }
     [[nodiscard]] const std::vector<Wall>& walls() const override { return s_.walls.now(); }
-    void set_wall_velocity(std::size_t wall, Vec3 velocity) override { s_.walls.drive(wall, velocity, s_.step); }
+    void set_wall_velocity(std::size_t wall, Vec3 velocity) override {
+        s_.walls.drive(wall, velocity, s_.step);
+        kept_ = s_;
+    }
     [[nodiscard]] EngineState save() const override { return s_.save(); }
 
     void remove_wall(std::size_t wall) override {
@@ -63,6 +71,7 @@ public:
         s_.walls.remove(wall);
         refresh_lists();
         s_.totals.removed_with_walls += before - held(stored());
+        kept_ = s_;
     }
 
     [[nodiscard]] EnergyLedger ledger() const override {
@@ -79,9 +88,8 @@ public:
     }
 
     [[nodiscard]] std::vector<ContactState> contacts() const override {
-        EngineOf* self = const_cast<EngineOf*>(this);
         Contacts now = s_.contacts;
-        self->evaluate_contacts(now, 0);
+        const_cast<EngineOf*>(this)->evaluate_contacts(now, 0);
         std::vector<ContactState> found;
         visit_meetings([&](std::size_t k, const Meeting& meeting, const Coefficients&) {
             if (meeting.separation > (cohesive ? setup_.model.cut_off : 0.0)) return;
@@ -94,19 +102,9 @@ public:
     }
 
 private:
-    /// Calls f(partner, first contact, number of contacts) for the pairs and for every wall.
     template <class Function>
     void for_each_partner(const Contacts& c, const Function& f) const {
-        const double radius_arm = setup_.model.lever_arm == LeverArm::radius ? 1 : 0;
-        f(ParticlePartner<Sizes>{sizes_, Period(setup_.y_period), radius_arm}, std::size_t{0}, c.pairs);
-        for (std::size_t w = 0; w < s_.walls.now().size(); ++w) {
-            const Wall& wall = s_.walls.now()[w];
-            const std::size_t from = c.wall_begin[w], count = c.wall_begin[w + 1] - from;
-            if (wall.kind == WallKind::plane)
-                f(WallPartner<Sizes, PlaneShape>{sizes_, PlaneShape(wall), wall.velocity, radius_arm}, from, count);
-            else
-                f(WallPartner<Sizes, BoxShape>{sizes_, BoxShape(wall), wall.velocity, radius_arm}, from, count);
-        }
+        visit_partners(setup_, sizes_, s_.walls.now(), c, f);
     }
 
     /// Calls f(contact, meeting, coefficients) for every listed contact, in order.
@@ -177,6 +175,7 @@ private:
     }
 
     void step_once() {
+        if (s_.step - kept_.step >= limits::steps_per_copy) kept_ = s_;
         if (2 * (s_.travelled + 2 * s_.last_travel) > s_.margin) refresh_lists();
         const double overlap = evaluate_contacts(s_.contacts, setup_.time_step);
         s_.largest_overlap = std::max(s_.largest_overlap, overlap);
@@ -189,6 +188,13 @@ private:
         s_.walls.move(s_.step, setup_.time_step);
         s_.last_travel = std::max(std::sqrt(square), s_.walls.fastest()) * setup_.time_step;
         s_.travelled += s_.last_travel;
+    }
+
+    /// Back to the moment before a step that failed half-way, by repeating the steps since the last copy.
+    void rewind(std::int64_t step) {
+        s_ = kept_;
+        restore_lists();
+        while (s_.step < step) step_once();
     }
 
     /// A first close list, and velocities half a step back.
@@ -285,7 +291,7 @@ private:
     Sizes sizes_;
     ContactLaw<cohesive> law_;
     ImpulseChoice impulse_;
-    Snapshot s_;
+    Snapshot s_, kept_;  ///< now, and some steps ago, with the same walls
     FarList far_;
     double speed_limit_ = 0, overlap_limit_ = 0;
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 namespace recoat::limits {
 
 /// Overlap beyond which a run stops, in radii of the smallest particle: no contact law holds there.
@@ -15,5 +17,8 @@ inline constexpr double far_skin = 0.1;
 inline constexpr double least_margin = 0.003;
 inline constexpr double most_margin = 0.02;
 inline constexpr double steps_per_close_list = 100;
+
+/// Steps after which a copy of everything is kept, from which a fault steps forward to the moment before it.
+inline constexpr std::int64_t steps_per_copy = 2000;
 
 }  // namespace recoat::limits

@@ -122,11 +122,13 @@ void save_walls(EngineState& state, const std::string& prefix, const std::vector
     state.integers[prefix + "/name_lengths"] = lengths;
 }
 
-std::vector<Wall> load_walls(const EngineState& state, const std::string& prefix) {
-    const auto& geometry = state.reals.at(prefix + "/geometry");
-    const auto& kinds = state.integers.at(prefix + "/kinds");
-    const auto& names = state.integers.at(prefix + "/names");
-    const auto& lengths = state.integers.at(prefix + "/name_lengths");
+std::vector<Wall> load_walls(Reader& reader, const std::string& prefix) {
+    std::vector<double> geometry;
+    std::vector<std::int64_t> kinds, names, lengths;
+    reader.reals((prefix + "/geometry").c_str(), geometry);
+    reader.integers((prefix + "/kinds").c_str(), kinds);
+    reader.integers((prefix + "/names").c_str(), names);
+    reader.integers((prefix + "/name_lengths").c_str(), lengths);
     std::vector<Wall> walls(kinds.size());
     auto letter = names.begin();
     for (std::size_t w = 0; w < walls.size(); ++w) {
@@ -164,7 +166,7 @@ Snapshot::Snapshot(const EngineState& state) : fresh(false) {
     contacts.pairs = static_cast<std::size_t>(pairs);
     std::vector<std::int64_t> since;
     reader.integers("walls/since", since);
-    walls = MovingWalls(load_walls(state, "walls/now"), load_walls(state, "walls/anchor"), since);
+    walls = MovingWalls(load_walls(reader, "walls/now"), load_walls(reader, "walls/anchor"), since);
 }
 
 }  // namespace recoat
