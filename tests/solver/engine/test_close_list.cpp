@@ -1,0 +1,200 @@
+#include <map>
+#include <random>
+#include <set>
+
+#include <gtest/gtest.h>
+
+#include "solver/engine/close_list.hpp"
+#include "solver/engine/partner.hpp"
+#include "solver/engine/snapshot.hpp"
+#include "tests/solver/engine/engine_scenes.hpp"
+
+namespace recoat {
+namespace {
+
+using testing::box;
+using testing::dp;
+using testing::infinite;
+using testing::plane;
+using testing::random_packing;
+
+constexpr double period = 8 * dp, skin = 0.3 * dp, range = 0.1 * dp;
+
+struct Bed {
+    std::vector<Row> position;
+    std::vector<Wall> walls = {plane("base", {}, {0, 0, 1}),
+                               box("bar", {2 * dp, -infinite, 3 * dp}, {3 * dp, infinite, 4 * dp})};
+    FarList far;
+    OpenMP space{2};
+
+    explicit Bed(unsigned seed) {
+        const ParticleTable table = random_packing(500, {10 * dp, period, 10 * dp}, 0.7, true, seed);
+        std::vector<Row> rows;
+        std::vector<std::int64_t> id;
+        for (std::size_t i = 0; i < table.size(); ++i) {
+            const Vec3 x = table.position[i];
+            rows.push_back({x.x, x.y, x.z, table.radius[i]});
+            id.push_back(static_cast<std::int64_t>(i));
+        }
+        for (const std::int32_t i : spatial_order(rows, id, skin, 0, period))
+            position.push_back(rows[static_cast<std::size_t>(i)]);
+        far.build(space, position, skin, 0, period);
+    }
+
+    Contacts list(const Contacts& old = empty(), double within = range) {
+        return make_close_list(space, {position, walls, far, period, within, true, true}, old);
+    }
+
+    static Contacts empty() {
+        Contacts none;
+        none.wall_begin.assign(3, 0);
+        return none;
+    }
+};
+
+using Key = std::pair<std::int32_t, std::int32_t>;
+
+Key key(const Contacts& c, std::size_t k) { return {c.first[k], c.second[k]}; }
+
+/// Pairs and walls within `within`, by looking at all of them.
+std::set<Key> all_contacts(const Bed& bed, double within) {
+    std::set<Key> found;
+    for (std::size_t i = 0; i < bed.position.size(); ++i) {
+        const Row& p = bed.position[i];
+        for (std::size_t j = i + 1; j < bed.position.size(); ++j) {
+            Vec3 d = bed.position[j].xyz() - p.xyz();
+            d.y -= period * std::round(d.y / period);
+            if (norm(d) < p.w + bed.position[j].w + within)
+                found.insert({static_cast<std::int32_t>(i), static_cast<std::int32_t>(j)});
+        }
+        if (p.z - p.w < within) found.insert({static_cast<std::int32_t>(i), -1});
+        const double dx = std::max({2 * dp - p.x, p.x - 3 * dp, 0.0}), dz = std::max({3 * dp - p.z, p.z - 4 * dp, 0.0});
+        if (std::hypot(dx, dz) - p.w < within) found.insert({static_cast<std::int32_t>(i), -2});
+    }
+    return found;
+}
+
+void mark(Contacts& c) {
+    for (std::size_t k = 0; k < c.size(); ++k) {
+        c.slip_x[k] = static_cast<double>(k) + 0.25;
+        c.slip_y[k] = -static_cast<double>(k);
+        c.slip_z[k] = 1.0 / static_cast<double>(k + 1);
+        c.attraction[k] = static_cast<double>(k) + 0.5;
+        c.lost_normal[k] = 1;
+    }
+}
+
+TEST(CloseList, HoldsEveryPairAndWallWithinRange) {
+    for (unsigned seed = 1; seed < 4; ++seed) {
+        Bed bed(seed);
+        const Contacts made = bed.list();
+        std::set<Key> found;
+        for (std::size_t k = 0; k < made.size(); ++k) found.insert(key(made, k));
+        EXPECT_EQ(found.size(), made.size());
+        EXPECT_EQ(found, all_contacts(bed, range));
+        ASSERT_EQ(made.wall_begin.size(), 3u);
+        EXPECT_EQ(made.wall_begin.front(), made.pairs);
+        EXPECT_EQ(made.wall_begin.back(), made.size());
+        EXPECT_GT(made.wall_begin[1], made.wall_begin[0]);
+        EXPECT_GT(made.wall_begin[2], made.wall_begin[1]);
+    }
+}
+
+TEST(CloseList, IncidenceNamesEveryContactOfAParticleInOrder) {
+    Bed bed(1);
+    const Contacts made = bed.list();
+    std::size_t entries = 0;
+    for (std::size_t i = 0; i < bed.position.size(); ++i) {
+        for (std::size_t e = made.incidence_begin[i]; e < made.incidence_begin[i + 1]; ++e, ++entries) {
+            const std::int32_t entry = made.incidence[e];
+            const auto k = static_cast<std::size_t>(entry / 2);
+            ASSERT_EQ(entry % 2 ? made.second[k] : made.first[k], static_cast<std::int32_t>(i));
+            ASSERT_TRUE(e == made.incidence_begin[i] || made.incidence[e - 1] / 2 < entry / 2);
+        }
+    }
+    EXPECT_EQ(entries, 2 * made.pairs + (made.size() - made.pairs));
+}
+
+TEST(CloseList, InactiveWallsHaveNoContacts) {
+    Bed bed(1);
+    bed.walls[0].active = false;
+    const Contacts made = bed.list();
+    EXPECT_EQ(made.wall_begin[0], made.wall_begin[1]);
+    EXPECT_LT(made.wall_begin[1], made.wall_begin[2]);
+}
+
+TEST(CloseList, HandsHistoryOver) {
+    Bed bed(2);
+    Contacts old = bed.list();
+    mark(old);
+    std::map<Key, std::size_t> place;
+    for (std::size_t k = 0; k < old.size(); ++k) place[key(old, k)] = k;
+    // First a wider list, with new contacts between the old ones; then a narrower one.
+    for (const double within : {2 * range, 0.4 * range}) {
+        const Contacts made = bed.list(old, within);
+        std::size_t known = 0;
+        for (std::size_t k = 0; k < made.size(); ++k) {
+            const auto found = place.find(key(made, k));
+            const bool is_known = found != place.end();
+            known += is_known;
+            ASSERT_EQ(made.slip(k), is_known ? old.slip(found->second) : Vec3{});
+            ASSERT_EQ(made.attraction[k], is_known ? old.attraction[found->second] : 0);
+            ASSERT_EQ(made.lost_normal[k], 0);
+        }
+        EXPECT_GT(known, 20u);
+        EXPECT_EQ(known, within > range ? old.size() : made.size());
+        EXPECT_EQ(made.size() > old.size(), within > range);
+    }
+}
+
+// The displacement of a contact is that of its first relative to its second: whoever is first after renaming, the
+// displacement of a given particle stays what it was.
+TEST(Renamed, HistoryKeepsItsMeaning) {
+    Bed bed(3);
+    Contacts old = bed.list();
+    mark(old);
+    std::vector<std::int32_t> new_place(bed.position.size());
+    for (std::size_t i = 0; i < new_place.size(); ++i) new_place[i] = static_cast<std::int32_t>(i);
+    std::shuffle(new_place.begin(), new_place.end(), std::mt19937_64(4));
+    const std::vector<std::int32_t> old_place = inverse(new_place);
+    const Contacts made = renamed(old, new_place);
+
+    const auto displacement = [](const Contacts& c, std::size_t k, std::int32_t of) {
+        return c.first[k] == of ? c.slip(k) : -c.slip(k);
+    };
+    std::map<Key, std::size_t> place;
+    for (std::size_t k = 0; k < old.size(); ++k) place[key(old, k)] = k;
+    std::size_t swapped_pairs = 0;
+    for (std::size_t k = 0; k < made.size(); ++k) {
+        const std::int32_t first = old_place[static_cast<std::size_t>(made.first[k])];
+        const std::int32_t second =
+            made.second[k] < 0 ? made.second[k] : old_place[static_cast<std::size_t>(made.second[k])];
+        const bool swap = second >= 0 && first > second;
+        const std::size_t from = place.at(swap ? Key{second, first} : Key{first, second});
+        swapped_pairs += swap;
+        ASSERT_EQ(displacement(made, k, made.first[k]), displacement(old, from, first));
+        ASSERT_EQ(made.attraction[k], old.attraction[from]);
+        ASSERT_TRUE(k >= made.pairs || made.first[k] < made.second[k]);
+        ASSERT_TRUE(k == 0 || k >= made.pairs || key(made, k - 1) < key(made, k));
+    }
+    EXPECT_GT(swapped_pairs, 50u);
+    EXPECT_LT(swapped_pairs, made.pairs);
+}
+
+TEST(Renamed, TwiceIsAsBefore) {
+    Bed bed(3);
+    Contacts old = bed.list();
+    mark(old);
+    std::vector<std::int32_t> new_place(bed.position.size());
+    for (std::size_t i = 0; i < new_place.size(); ++i) new_place[i] = static_cast<std::int32_t>(i);
+    std::shuffle(new_place.begin(), new_place.end(), std::mt19937_64(5));
+    const Contacts back = renamed(renamed(old, new_place), inverse(new_place));
+    EXPECT_EQ(back.first, old.first);
+    EXPECT_EQ(back.second, old.second);
+    EXPECT_EQ(back.slip_x, old.slip_x);
+    EXPECT_EQ(back.slip_z, old.slip_z);
+    EXPECT_EQ(back.attraction, old.attraction);
+}
+
+}  // namespace
+}  // namespace recoat
