@@ -28,7 +28,7 @@ rule simulate_layer:
     conda:
         ENVIRONMENT
     shell:
-        "{input.solver} run {input.scene} --out {params.directory} --threads {threads} {params.settings}"
+        "{input.solver} run {input.scene} --out {params.directory} --overwrite --threads {threads} {params.settings}"
         " > {log} 2>&1"
 
 
@@ -55,7 +55,7 @@ rule simulate_fill:
     conda:
         ENVIRONMENT
     shell:
-        "{input.solver} run {input.scene} --out {params.directory} --threads {threads} {params.settings}"
+        "{input.solver} run {input.scene} --out {params.directory} --overwrite --threads {threads} {params.settings}"
         " > {log} 2>&1"
 
 
