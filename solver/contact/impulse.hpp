@@ -6,6 +6,24 @@
 
 namespace recoat {
 
+/// Mean attraction of a step that crosses s = 0 and stays below s_min; `otherwise` for any other step.
+///
+/// The force jumps at s = 0, so that the fixed point and the secant do not converge for slow crossings. There
+/// s1 = free - b F(s0, s1) is a quadratic: with the constant forces A on the side of s0 and B on the other side
+/// s1^2 - (s0 + free - b B) s1 + s0 (free - b A) = 0, and the step crosses iff s0 (free - b A) < 0.
+RECOAT_HD double crossing_force(const Attraction& attraction, double s0, double free, double b, const Coefficients& c,
+                                double otherwise) {
+    const double here = s0 < 0 ? c.attraction_contact : c.attraction_gap;
+    const double there = s0 < 0 ? c.attraction_gap : c.attraction_contact;
+    const double half = 0.5 * (s0 + free - b * there);
+    const double product = s0 * (free - b * here);
+    const double square = half * half - product;
+    const double root = std::sqrt(square > 0 ? square : 0);
+    const double end = half + (s0 < 0 ? root : -root);
+    const double force = product < 0 ? attraction.mean(s0, end, c) : otherwise;
+    return (s0 < end ? end : s0) < attraction.minimum_separation ? force : otherwise;
+}
+
 /// The discrete-gradient impulse, for contact and non-contact pairs alike [docs/physics.md section 2.5]:
 /// solve  s1 = s0 + u* dt - b F(s0, s1),  b = dt^2 / (2 m*).  The energy of an isolated pair is then exact at any step.
 ///
@@ -21,7 +39,7 @@ struct FixedPointImpulse {
         const double free = s0 + u * time_step;
         double force = attraction.mean(s0, free, c);
         for (int i = 0; i < iterations; ++i) force = attraction.mean(s0, free - b * force, c);
-        return force;
+        return crossing_force(attraction, s0, free, b, c, force);
     }
 };
 
@@ -53,7 +71,7 @@ struct BracketedImpulse {
             above = high ? value : (side == -1 ? 0.5 * above : above);
             side = high ? 1 : -1;
         }
-        return attraction.mean(s0, root, c);
+        return crossing_force(attraction, s0, free, b, c, attraction.mean(s0, root, c));
     }
 };
 

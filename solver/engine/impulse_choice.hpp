@@ -9,17 +9,17 @@
 namespace recoat {
 
 /// The scheme of the attraction, chosen once per scene.
-using ImpulseChoice =
-    std::variant<FixedPointImpulse<3>, FixedPointImpulse<9>, BracketedImpulse, ExplicitImpulse, PredictionCorrectionImpulse>;
+using ImpulseChoice = std::variant<FixedPointImpulse<2>, FixedPointImpulse<9>, BracketedImpulse, ExplicitImpulse,
+                                   PredictionCorrectionImpulse>;
 
 /// Contraction of the fixed point per iteration, dt^2 F_o / (2 m* s_min), at its largest [docs/physics.md section 2.5].
 inline double impulse_contraction(const Coefficients& c, double minimum_separation, double time_step) {
     return 0.5 * time_step * time_step * c.inverse_mass * c.attraction_gap / minimum_separation;
 }
 
-/// Contractions up to which 3 and 9 fixed-point iterations leave less than 1e-4 of the force; beyond, the bracketed
+/// Contractions up to which 2 and 9 fixed-point iterations leave less than 1e-4 of the force; beyond, the bracketed
 /// secant is taken, which always converges but does not run as a vector loop.
-inline constexpr double small_contraction = 0.1;
+inline constexpr double small_contraction = 0.04;
 inline constexpr double large_contraction = 0.35;
 
 /// `smallest`: radius of the smallest particle [m].
@@ -38,7 +38,7 @@ ImpulseChoice choose_impulse(const ContactModel& model, double time_step, const 
     const double contraction =
         std::max(impulse_contraction(sizes.of_pair(smallest, smallest), model.minimum_separation, time_step),
                  impulse_contraction(sizes.of_wall(smallest), model.minimum_separation, time_step));
-    if (contraction < small_contraction) return FixedPointImpulse<3>{attraction, time_step};
+    if (contraction < small_contraction) return FixedPointImpulse<2>{attraction, time_step};
     if (contraction < large_contraction) return FixedPointImpulse<9>{attraction, time_step};
     return BracketedImpulse{attraction, time_step};
 }
