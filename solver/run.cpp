@@ -36,15 +36,19 @@ bool complete(const Scene& scene, const fs::path& folder) {
     return scene.output.trajectory_interval == 0 || fs::exists(folder / "trajectory.vtkhdf");
 }
 
-Plan plan_for(const Scene& scene, const fs::path& folder) {
+/// `overwrite` replaces a run of another configuration, and a finished one of another version, instead of refusing it.
+Plan plan_for(const Scene& scene, const fs::path& folder, bool overwrite) {
     const std::optional<EarlierSummary> summary = read_summary(folder / "summary.json");
     if (summary) {
+        if (overwrite && (summary->config != scene.resolved || summary->version != program_version()))
+            return Plan::start;
         refuse_other_scene(summary->config, scene, folder);
         if (summary->finished) return complete(scene, folder) ? Plan::nothing : Plan::start;
     }
     const fs::path file = folder / "checkpoint.h5";
     if (!fs::exists(file)) return Plan::start;
     const Checkpoint checkpoint = read_checkpoint(file);
+    if (overwrite && checkpoint.config != scene.resolved) return Plan::start;
     refuse_other_scene(checkpoint.config, scene, folder);
     const bool unfinished = checkpoint.progress.stage < scene.stages.size();
     return unfinished && checkpoint.version == program_version() ? Plan::resume : Plan::start;
@@ -92,11 +96,9 @@ int continue_from(const Scene& scene, const Checkpoint& checkpoint, const RunOpt
 
 int run_scene(const Scene& scene, const RunOptions& options, const EngineFactory& factory) {
     make_folder(options.folder);
-    const Plan plan = options.overwrite ? Plan::start : plan_for(scene, options.folder);
+    const Plan plan = plan_for(scene, options.folder, options.overwrite);
     if (plan == Plan::nothing) {
-        ProgressLine(options.quiet, 0)
-            .say(options.folder.string() +
-                 ": this run is finished already; nothing to do (--overwrite runs it again).");
+        ProgressLine(options.quiet, 0).say(options.folder.string() + ": this run is finished already; nothing to do.");
         return 0;
     }
     if (plan == Plan::start) return start(scene, options, factory);

@@ -13,7 +13,7 @@ struct RunOptions {
     std::filesystem::path folder;  ///< where everything is written
     int threads = 1;
     bool quiet = false;
-    bool overwrite = false;                  ///< start anew whatever the folder holds
+    bool overwrite = false;                  ///< replace a run of another configuration
     std::optional<std::int64_t> until_step;  ///< stop there with a checkpoint
 };
 

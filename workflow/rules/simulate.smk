@@ -1,4 +1,7 @@
 # Running recoat-solve.
+#
+# The solver works in a folder of its own below the case, which Snakemake does not know and so does not clear after a
+# failure: an interrupted run continues from its last checkpoint. What it made is linked into place at the end.
 
 STAGES = ["fill", "heap", "spread"]
 
@@ -16,7 +19,7 @@ rule simulate_layer:
         spread=case_file("spread.vtkhdf", kind="layers"),
         summary=case_file("summary.json", kind="layers"),
     params:
-        directory=lambda wildcards, output: Path(output.summary).parent,
+        work=lambda wildcards, output: Path(output.summary).parent / "run",
         settings=lambda wildcards: overrides("layers", wildcards),
     log:
         case_file("solve.log", kind="layers"),
@@ -28,8 +31,8 @@ rule simulate_layer:
     conda:
         ENVIRONMENT
     shell:
-        "{input.solver} run {input.scene} --out {params.directory} --overwrite --threads {threads} {params.settings}"
-        " > {log} 2>&1"
+        "{input.solver} run {input.scene} --out {params.work} --overwrite --threads {threads} {params.settings}"
+        " > {log} 2>&1 && for result in {output}; do ln -f {params.work}/$(basename $result) $result; done"
 
 
 rule simulate_fill:
@@ -43,7 +46,7 @@ rule simulate_fill:
         fill=case_file("fill.vtkhdf", kind="fills"),
         summary=case_file("summary.json", kind="fills"),
     params:
-        directory=lambda wildcards, output: Path(output.summary).parent,
+        work=lambda wildcards, output: Path(output.summary).parent / "run",
         settings=lambda wildcards: overrides("fills", wildcards),
     log:
         case_file("solve.log", kind="fills"),
@@ -55,8 +58,8 @@ rule simulate_fill:
     conda:
         ENVIRONMENT
     shell:
-        "{input.solver} run {input.scene} --out {params.directory} --overwrite --threads {threads} {params.settings}"
-        " > {log} 2>&1"
+        "{input.solver} run {input.scene} --out {params.work} --overwrite --threads {threads} {params.settings}"
+        " > {log} 2>&1 && for result in {output}; do ln -f {params.work}/$(basename $result) $result; done"
 
 
 rule derive:

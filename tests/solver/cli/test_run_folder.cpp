@@ -59,6 +59,14 @@ TEST_F(RunFolder, AnotherConfigurationIsRefusedUnlessOverwritten) {
     EXPECT_EQ(script_.made, 2);
 }
 
+TEST_F(RunFolder, OverwritingKeepsOrContinuesARunOfTheSameConfiguration) {
+    run("seed=1", 20000, true);
+    EXPECT_EQ(run("seed=1", {}, true), 0);
+    EXPECT_EQ(run("seed=1", {}, true), 0);
+    EXPECT_EQ(script_.made, 1);
+    EXPECT_EQ(script_.restored, 1);
+}
+
 TEST_F(RunFolder, AnUnfinishedRunOfAnotherConfigurationIsRefusedToo) {
     run("seed=1", 20000);
     fs::remove(folder_ / "a/summary.json");
