@@ -43,6 +43,38 @@ struct FixedPointImpulse {
     }
 };
 
+/// The same equation by the secant method on  F -> F(s0, free - b F) - F,  for steps where the fixed point is slow: the
+/// digits grow by half as much again with each of the `evaluations`, where the fixed point only adds to them.
+template <int evaluations>
+struct SecantImpulse {
+    static constexpr bool half_step_positions = true;
+    Attraction attraction;
+    double time_step;
+
+    RECOAT_HD double operator()(double s0, double u, const Coefficients& c) const {
+        const double b = 0.5 * time_step * time_step * c.inverse_mass;
+        const double free = s0 + u * time_step;
+        const double strongest = c.attraction_gap > c.attraction_contact ? c.attraction_gap : c.attraction_contact;
+        double before = attraction.mean(s0, free, c);
+        double force = attraction.mean(s0, free - b * before, c);
+        double change_before = force - before;
+#pragma GCC unroll 8
+        for (int i = 0; i < evaluations; ++i) {
+            const double change = attraction.mean(s0, free - b * force, c) - force;
+            const double slope = change - change_before;
+            // A slope of nothing means that both are the root already; the plain fixed point is then as good.
+            const double ratio = (force - before) / (slope != 0 ? slope : -1);
+            const double step = slope != 0 ? -change * ratio : change;
+            before = force;
+            change_before = change;
+            const double next = force + step;
+            const double positive = next > 0 ? next : 0;
+            force = positive < strongest ? positive : strongest;
+        }
+        return crossing_force(attraction, s0, free, b, c, force);
+    }
+};
+
 /// The same equation by a bracketed secant (Illinois), for steps where the fixed point converges slowly or not at all.
 struct BracketedImpulse {
     static constexpr bool half_step_positions = true;

@@ -26,7 +26,9 @@ struct ContactLaw {
     Rolling rolling;
     double frictional_range;  ///< a pair keeps its tangential displacement up to this separation [m]: s_min, or 0
 
-    /// `attraction`: mean attraction that the pair felt in the previous step [N]; `displacement` is updated.
+    /// `attraction`: mean attraction that the pair felt in the previous step [N]. `displacement` is that of half a step
+    /// before on entry and of half a step after on return, so that the sliding velocity of this instant counts on both
+    /// sides: the sum is the trapezoidal rule, and a contact that began somewhere in the last step has slid for half.
     RECOAT_HD ContactResult operator()(const Kinematics& k, const Coefficients& c, double attraction, double time_step,
                                        Vec3& displacement) const {
         const double overlap = k.separation < 0 ? -k.separation : 0;
@@ -37,9 +39,10 @@ struct ContactLaw {
 
         const Load load = friction_load(elastic, overlap, quarter, attraction, k.separation, c);
         const double kept = k.separation <= frictional_range ? 1 : 0;
-        displacement = kept * mindlin.advance(displacement, k, time_step);
+        displacement = kept * mindlin.advance(displacement, k, 0.5 * time_step);
         const Vec3 tangential =
             mindlin.force(displacement, load.force, load.overlap, c.tangential_damping * load.quarter, k);
+        displacement += (0.5 * kept * time_step) * k.sliding_velocity;
 
         ContactResult result;
         result.tangential = tangential;

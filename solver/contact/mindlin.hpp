@@ -16,7 +16,8 @@ struct Mindlin {
     double slip_per_overlap;  ///< mu_t (2-nu)/(2-2nu) [-]
     double cap;               ///< 1: limit spring plus dashpot to mu F, 0: do not
 
-    /// Turns the stored displacement into the tangent plane at its old length [Luding 2008], adds this step's sliding.
+    /// Turns the stored displacement into the tangent plane at its old length [Luding 2008], adds the sliding of
+    /// `time_step`.
     RECOAT_HD Vec3 advance(Vec3 displacement, const Kinematics& k, double time_step) const {
         const Vec3 flat = displacement - dot(displacement, k.normal) * k.normal;
         const double before = squared_norm(displacement), after = squared_norm(flat);

@@ -18,6 +18,7 @@
 #include "solver/engine/particle_pass.hpp"
 #include "solver/engine/partners.hpp"
 #include "solver/engine/snapshot.hpp"
+#include "solver/engine/spatial_sort.hpp"
 
 namespace recoat {
 
@@ -202,12 +203,16 @@ private:
         for (std::size_t i = 0; i < s_.particles.size(); ++i)
             s_.last_travel = std::max(s_.last_travel, setup_.time_step * norm(s_.particles.velocity[i].xyz()));
         refresh_lists();
+        visit_meetings([&](std::size_t k, const Meeting& m, const Coefficients& c) {
+            s_.contacts.attraction[k] = cohesive ? attraction().force(m.separation, c) : 0;
+        });
         evaluate_contacts(s_.contacts, 0);
         const auto pass = particle_pass();
         for (std::size_t i = 0; i < s_.particles.size(); ++i) pass.start(i);
         s_.fresh = false;
     }
 
+    [[nodiscard]] Attraction attraction() const { return {setup_.model.minimum_separation, setup_.model.cut_off}; }
     [[nodiscard]] double range() const { return cohesive ? setup_.model.cut_off : 0; }
     [[nodiscard]] double skin() const { return range() + limits::far_skin * setup_.diameter; }
 
@@ -228,11 +233,7 @@ private:
     }
 
     void refresh_far_list() {
-        require_inside(s_.particles, setup_, s_.step);
-        fold(s_.particles, setup_.y_min, setup_.y_period);
-        const auto order = spatial_order(s_.particles.position, s_.particles.id, skin(), setup_.y_min, setup_.y_period);
-        permute(s_.particles, order);
-        s_.contacts = renamed(s_.contacts, inverse(order));
+        sort_in_space(s_, setup_, skin());
         far_.build(space_, s_.particles.position, skin(), setup_.y_min, setup_.y_period);
         s_.far_reference = s_.particles.position;
     }
@@ -253,9 +254,8 @@ private:
     /// Energies that particles and contacts hold now.
     [[nodiscard]] EnergyLedger stored() const {
         EnergyLedger ledger = particle_energies(s_.particles, sizes_, setup_.gravity);
-        const Attraction attraction{setup_.model.minimum_separation, setup_.model.cut_off};
         visit_meetings([&](std::size_t k, const Meeting& m, const Coefficients& c) {
-            add_contact_energy(ledger, law_, attraction, m.separation, s_.contacts.attraction[k], s_.contacts.slip(k),
+            add_contact_energy(ledger, law_, attraction(), m.separation, s_.contacts.attraction[k], s_.contacts.slip(k),
                                c);
         });
         return ledger;

@@ -9,7 +9,7 @@
 namespace recoat {
 
 /// The scheme of the attraction, chosen once per scene.
-using ImpulseChoice = std::variant<FixedPointImpulse<2>, FixedPointImpulse<9>, BracketedImpulse, ExplicitImpulse,
+using ImpulseChoice = std::variant<FixedPointImpulse<2>, SecantImpulse<3>, BracketedImpulse, ExplicitImpulse,
                                    PredictionCorrectionImpulse>;
 
 /// Contraction of the fixed point per iteration, dt^2 F_o / (2 m* s_min), at its largest [docs/physics.md section 2.5].
@@ -17,8 +17,8 @@ inline double impulse_contraction(const Coefficients& c, double minimum_separati
     return 0.5 * time_step * time_step * c.inverse_mass * c.attraction_gap / minimum_separation;
 }
 
-/// Contractions up to which 2 and 9 fixed-point iterations leave less than 1e-4 of the force; beyond, the bracketed
-/// secant is taken, which always converges but does not run as a vector loop.
+/// Contractions up to which 2 fixed-point iterations and 3 secant steps leave less than 1e-4 of the force; beyond, the
+/// bracketed secant is taken, which always converges but does not run as a vector loop.
 inline constexpr double small_contraction = 0.04;
 inline constexpr double large_contraction = 0.35;
 
@@ -39,7 +39,7 @@ ImpulseChoice choose_impulse(const ContactModel& model, double time_step, const 
         std::max(impulse_contraction(sizes.of_pair(smallest, smallest), model.minimum_separation, time_step),
                  impulse_contraction(sizes.of_wall(smallest), model.minimum_separation, time_step));
     if (contraction < small_contraction) return FixedPointImpulse<2>{attraction, time_step};
-    if (contraction < large_contraction) return FixedPointImpulse<9>{attraction, time_step};
+    if (contraction < large_contraction) return SecantImpulse<3>{attraction, time_step};
     return BracketedImpulse{attraction, time_step};
 }
 

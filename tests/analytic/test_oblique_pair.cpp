@@ -33,7 +33,7 @@ ContactModel without_rolling(double ratio) {
 TEST(ObliquePair, is_that_of_the_reference) {
     for (const std::string ratio : {"1", "0.001"})
         for (const std::string offset : {"0.1", "0.5", "0.9"}) {
-            const double time_step = ratio == "1" ? 2.5e-10 : 4e-9;
+            const double time_step = ratio == "1" ? 1.25e-9 : 2e-8;
             const auto scene =
                 oblique_pair(without_rolling(std::stod(ratio)), time_step, std::stod(offset), 3.4 * 0.1 * time_step);
             const ParticleTable after = testing::after_pair_impact(*scene.engine());
