@@ -64,7 +64,7 @@ def change(workflow, grid, **values):
         ({"layers": [{"bond_numbers": ["high"], "stiffness_ratios": [0.001]}]}, "'high' does not match"),
         (
             {"layers": [{"bond_numbers": [5], "stiffness_ratios": [0.5]}]},
-            "stiffness ratio 0.5 has no time step; add it to time_steps",
+            "at stiffness ratio 0.5 has no time step; add it to time_steps",
         ),
     ],
 )

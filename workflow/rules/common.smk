@@ -59,19 +59,20 @@ FILL_ONLY = [case for case in cases_of("fills", config["fills"]) if case._replac
 CASES = LAYERS + FILL_ONLY
 REFERENCE_RATIO = min((case.ratio for case in LAYERS), key=float)
 REFERENCE_LAYERS = [case for case in LAYERS if case.ratio == REFERENCE_RATIO]
-TIME_STEPS = {tag(entry["stiffness_ratio"]): entry["time_step"] for entry in config["time_steps"]}
 
 
-def check_time_steps():
-    """Refuse a grid with a stiffness ratio that has no time step."""
-    for case in CASES:
-        if case.ratio not in TIME_STEPS:
-            raise WorkflowError(
-                f"grid {config['name']}: stiffness ratio {case.ratio} has no time step; add it to time_steps"
-            )
+def time_step(bond, ratio):
+    """The first of time_steps that is for this stiffness ratio and reaches this Bond number."""
+    for entry in config["time_steps"]:
+        if tag(entry["stiffness_ratio"]) == ratio and float(bond) <= entry.get("largest_bond_number", float("inf")):
+            return entry["time_step"]
+    raise WorkflowError(
+        f"grid {config['name']}: Bond number {bond} at stiffness ratio {ratio} has no time step; add it to time_steps"
+    )
 
 
-check_time_steps()
+# A grid that lacks one is refused before anything runs.
+TIME_STEPS = {(case.bond, case.ratio): time_step(case.bond, case.ratio) for case in CASES}
 
 
 def ratio_cases():
@@ -147,7 +148,7 @@ def overrides(kind, wildcards):
         settings = {"stages": fill_stage()} | {key: value for key, value in settings.items() if key not in later}
     settings["cohesion.bond_number"] = wildcards.bond
     settings["stiffness_ratio"] = wildcards.ratio
-    settings["time_step"] = TIME_STEPS[wildcards.ratio]
+    settings["time_step"] = TIME_STEPS[wildcards.bond, wildcards.ratio]
     settings["seed"] = wildcards.seed
     return " ".join(f"--set {shlex.quote(f'{key}={value}')}" for key, value in settings.items())
 
