@@ -58,7 +58,7 @@ struct SecantImpulse {
         double before = attraction.mean(s0, free, c);
         double force = attraction.mean(s0, free - b * before, c);
         double change_before = force - before;
-#pragma GCC unroll 8
+        RECOAT_UNROLL
         for (int i = 0; i < evaluations; ++i) {
             const double change = attraction.mean(s0, free - b * force, c) - force;
             const double slope = change - change_before;

@@ -7,6 +7,11 @@ from itertools import product
 from pathlib import Path
 
 import yaml
+from snakemake.utils import validate
+
+# The same schema that the solver's reader answers to.
+with open(config["scene"]) as scene_file:
+    validate(yaml.safe_load(scene_file), "../../config/schema/scene.schema.json")
 
 
 wildcard_constraints:
