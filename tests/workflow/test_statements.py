@@ -39,6 +39,12 @@ def test_local_minimum(values, verdict):
     assert found == verdict, text
 
 
+def test_undefined_value_proves_nothing():
+    grid = Grid(table("m", {200: 0.5, 400: numpy.nan}))
+    assert trend("m", [200, 400], [1])(grid) == ("Bo 200: 50 [49, 51] %; Bo 400: undefined %", NOT_TESTABLE)
+    assert within("m", only(400), lower=0.8)(grid)[1] == NOT_TESTABLE
+
+
 def test_missing_bond_number_is_named():
     text, _ = trend("m", [5, 50, 200], [-1, 1])(Grid(table("m", {5: 0.5, 200: 0.6})))
     assert text == "no case at Bo = 50"

@@ -33,7 +33,9 @@ def draw(layers):
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(PAGE, 0.4 * PAGE))
     draw_boxes(left, groups, bond_colours(groups))
     bond_series(right, groups, spread_of)
-    right.set_ylim(bottom=0)
+    # An interval whose median comes close to nothing is cut off, or it would hide all the others.
+    values = [spread_of(layer)[0] for layer in layers]
+    right.set_ylim(0, 1.5 * numpy.nanmax([*values, 0.1]))
     right.set_ylabel(r"IQR / median of $\phi$ [–]")
     right.set_title("(b)")
     return figure

@@ -44,6 +44,8 @@ class Grid:
 
 def written(measured, scale=100, unit=" %"):
     """A measured value with its interval, as text."""
+    if math.isnan(measured.value):
+        return "undefined"
     text = f"{scale * measured.value:.3g}"
     if math.isfinite(measured.lower):
         text += f" [{scale * measured.lower:.3g}, {scale * measured.upper:.3g}]"
@@ -56,8 +58,10 @@ def missing(bonds):
 
 
 def step_sign(before, after):
-    """1 or -1 where the change is larger than its uncertainty, 0 where it is not."""
+    """1 or -1 where the change is larger than its uncertainty, 0 where it is not or a value is undefined."""
     change = after.value - before.value
+    if not math.isfinite(change):
+        return 0
     half = [0.5 * (m.upper - m.lower) if math.isfinite(m.upper - m.lower) else 0.0 for m in (before, after)]
     return 0 if abs(change) <= math.hypot(*half) else int(math.copysign(1, change))
 
@@ -98,6 +102,8 @@ def within(name, bonds, lower=-math.inf, upper=math.inf, scale=100, unit=" %"):
 
 def bounded(measured, lower, upper):
     """Whether a value lies within bounds; outside, but with an interval that reaches them, is not testable."""
+    if math.isnan(measured.value):
+        return NOT_TESTABLE
     if lower <= measured.value <= upper:
         return AGREES
     reaches = math.isfinite(measured.lower) and measured.lower <= upper and measured.upper >= lower
