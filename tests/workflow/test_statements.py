@@ -41,7 +41,7 @@ def test_local_minimum(values, verdict):
 
 def test_undefined_value_proves_nothing():
     grid = Grid(table("m", {200: 0.5, 400: numpy.nan}))
-    assert trend("m", [200, 400], [1])(grid) == ("Bo 200: 50 [49, 51] %; Bo 400: undefined %", NOT_TESTABLE)
+    assert trend("m", [200, 400], [1])(grid) == ("Bo 200: 50 [49, 51] %; Bo 400: undefined", NOT_TESTABLE)
     assert within("m", only(400), lower=0.8)(grid)[1] == NOT_TESTABLE
 
 
