@@ -32,7 +32,7 @@ int metrics(const Arguments& arguments) {
         limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, arguments.threads);
     }
     const Config config = Config::load(arguments.config, arguments.settings);
-    const Source source = read_particles(arguments.file, read_column_names(config));
+    const Source source = read_particles(arguments.file, {.columns = read_column_names(config)});
     const AnalysisConfig resolved = read_analysis_config(config, source.info);
     const Analysis analysis = analyse(make_layer(source, resolved), resolved);
     if (!arguments.out.empty()) {

@@ -2,60 +2,27 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <optional>
 
 #include <fmt/format.h>
 
+#include "analyzer/readers/columns.hpp"
+#include "analyzer/readers/text_cursor.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/units.hpp"
 
 namespace recoat {
 namespace {
 
-constexpr std::string_view white_space = " \t\r\v\f";
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
-/// Takes the text up to the next line end off `rest`.
-std::string_view take_line(std::string_view& rest) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    const std::string_view line = rest.substr(0, end);
-    rest.remove_prefix(std::min(end + 1, rest.size()));
-    return line;
-}
-
-/// Cuts a line into cells; `separator` ' ' stands for any white space.
-void split(std::string_view line, char separator, std::vector<std::string_view>& cells) {
-    cells.clear();
-    if (separator != ' ') {
-        while (true) {
-            const std::size_t end = line.find(separator);
-            cells.push_back(trimmed(line.substr(0, end)));
-            if (end == std::string_view::npos) return;
-            line.remove_prefix(end + 1);
-        }
-    }
-    for (std::size_t start = line.find_first_not_of(white_space); start != std::string_view::npos;) {
-        const std::size_t end = std::min(line.find_first_of(white_space, start), line.size());
-        cells.push_back(line.substr(start, end - start));
-        start = line.find_first_not_of(white_space, end);
-    }
-}
-
 char separator_of(std::string_view header) {
-    for (const char candidate : {';', ','}) {
+    for (const char candidate : {';', ',', '|'}) {
         if (header.find(candidate) != std::string_view::npos) return candidate;
     }
     return ' ';
-}
-
-std::string lower_case(std::string_view text) {
-    std::string result(text);
-    std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return result;
 }
 
 /// Name of a column as in the header: without quotes around it.
@@ -65,120 +32,141 @@ std::string_view unquoted(std::string_view name) {
     return quoted ? name.substr(1, name.size() - 2) : name;
 }
 
-/// Reads one table; knows where it is, for errors.
-class TableReader {
-public:
-    TableReader(std::string file, std::string_view text) : file_(std::move(file)), rest_(text) {}
-
-    Source read(const ColumnNames& columns) {
-        read_header();
-        const std::size_t x = required("x", columns.x), y = required("y", columns.y), z = required("z", columns.z);
-        const auto [size, size_to_radius] = size_column(columns);
-        Source source;
-        while (next_line()) {
-            split(line_, separator_, cells_);
-            if (cells_.size() != names_.size()) {
-                fail(fmt::format("the line has {} columns, the first line names {}; make them agree", cells_.size(),
-                                 names_.size()));
-            }
-            source.position.push_back({number(x), number(y), number(z)});
-            source.radius.push_back(size_to_radius * number(size));
-            if (!(source.radius.back() > 0)) fail_at(size, "a particle must have a size above zero");
+/// Takes a unit of length in brackets off the end of a name; nothing when there is none.
+std::optional<double> take_unit(std::string& name) {
+    for (const char* brackets : {"[]", "()"}) {
+        const std::size_t open = name.rfind(brackets[0]);
+        if (open == std::string::npos || open == 0 || name.back() != brackets[1]) continue;
+        try {
+            const std::string unit = name.substr(open + 1, name.size() - open - 2);
+            const double metres = parse_quantity("1 " + unit, Dimension::length);
+            name = trimmed(std::string_view(name).substr(0, open));
+            return metres;
+        } catch (const UnitError&) {
+            return {};  // brackets of another meaning
         }
+    }
+    return {};
+}
+
+/// A header and the columns that it names.
+class Table {
+public:
+    Table(const Content& content, const ReadOptions& options) : cursor_(content.name(), text_of(content)) {
+        read_header();
+        columns_ = {required('x', options.columns.x), required('y', options.columns.y),
+                    required('z', options.columns.z)};
+        size_ = find_size(names_, options.columns, [this](const std::string& problem) { cursor_.fail(problem); });
+        id_ = find_id(names_);
+        if (!size_ && !options.radius) {
+            cursor_.fail(
+                "there is no column \"radius\" or \"diameter\"; the first line must name one, or the configuration "
+                "another one under columns, or --radius must give one radius for all");
+        }
+        has_units_ = std::ranges::any_of(units_, [](const auto& unit) { return unit.has_value(); });
+    }
+
+    Source read() {
+        Source source;
+        while (cursor_.next_filled()) {
+            cursor_.split(separator_);
+            if (cursor_.cells().size() != names_.size()) {
+                cursor_.fail(fmt::format("the line has {} columns, the first line names {}; make them agree",
+                                         cursor_.cells().size(), names_.size()));
+            }
+            source.position.push_back({length(columns_[0]), length(columns_[1]), length(columns_[2])});
+            if (size_) read_size(source);
+            if (id_) source.id.push_back(identity());
+            source.line.push_back(cursor_.line_number());
+        }
+        if (has_units_) source.own_unit = 1.0;
+        source.info.base = 0;
         return source;
     }
 
 private:
-    /// Moves to the next line that is not empty.
-    bool next_line() {
-        while (!rest_.empty()) {
-            line_ = take_line(rest_);
-            ++line_number_;
-            if (line_.find_first_not_of(white_space) != std::string_view::npos) return true;
-        }
-        return false;
+    static std::string_view text_of(const Content& content) {
+        std::string_view text = content.bytes;
+        if (text.starts_with(byte_order_mark)) text.remove_prefix(byte_order_mark.size());
+        return text;
     }
 
     void read_header() {
-        if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
-        if (!next_line())
-            throw InputError(fmt::format("{}: the file has no lines of text; give a table of particles", file_));
-        std::string_view header = trimmed(line_);
-        if (header.starts_with('#')) header = trimmed(header.substr(1));
-        separator_ = separator_of(header);
-        split(header, separator_, cells_);
-        for (const std::string_view cell : cells_) {
-            const std::string name = lower_case(unquoted(cell));
-            if (std::ranges::find(names_, name) != names_.end()) {
-                fail(fmt::format("the column \"{}\" is named twice; give every column its own name", name));
+        if (!cursor_.next_filled()) {
+            throw InputError(
+                fmt::format("{}: the file has no lines of text; give a table of particles", cursor_.name()));
+        }
+        separator_ = separator_of(cursor_.line());
+        cursor_.split(separator_);
+        std::vector<std::string> cells(cursor_.cells().begin(), cursor_.cells().end());
+        if (cells.front().starts_with('#')) cells.front() = trimmed(std::string_view(cells.front()).substr(1));
+        if (cells.front().empty()) cells.erase(cells.begin());
+        for (const std::string& cell : cells) add_column(lower_case(unquoted(cell)));
+    }
+
+    void add_column(std::string name) {
+        // "x [um]" cut at its blank.
+        const bool only_unit = separator_ == ' ' && !names_.empty() && (name.starts_with('[') || name.starts_with('('));
+        if (only_unit) {
+            std::string whole = names_.back() + name;
+            if (const auto unit = take_unit(whole)) {
+                units_.back() = unit;
+                return;
             }
-            names_.push_back(name);
+        }
+        units_.push_back(take_unit(name));
+        if (std::ranges::find(names_, name) != names_.end()) {
+            cursor_.fail(
+                fmt::format("the column \"{}\" is named twice; give every column its own name", quotable(name)));
+        }
+        names_.push_back(std::move(name));
+    }
+
+    [[nodiscard]] std::size_t required(char axis, const std::string& chosen) const {
+        const auto column = chosen.empty() ? find_coordinate(names_, axis) : find_column(names_, chosen);
+        if (column) return *column;
+        cursor_.fail(
+            fmt::format("there is no column \"{}\"; the first line must name it, or the configuration another one "
+                        "under columns.{}",
+                        chosen.empty() ? std::string(1, axis) : chosen, axis));
+    }
+
+    /// In the unit that the name of the column has, if any.
+    [[nodiscard]] double length(std::size_t column) const {
+        return units_[column].value_or(1.0) * cursor_.number(column, names_[column]);
+    }
+
+    void read_size(Source& source) const {
+        source.radius.push_back(size_->to_radius * length(size_->index));
+        if (!(source.radius.back() > 0)) {
+            cursor_.fail_at(size_->index, names_[size_->index], "a particle must have a size above zero");
         }
     }
 
-    [[nodiscard]] std::optional<std::size_t> find(std::string_view name) const {
-        const auto found = std::ranges::find(names_, lower_case(name));
-        if (found == names_.end()) return {};
-        return static_cast<std::size_t>(found - names_.begin());
-    }
-
-    [[nodiscard]] std::size_t required(std::string_view usual, const std::string& chosen) const {
-        const std::string_view name = chosen.empty() ? usual : std::string_view(chosen);
-        if (const auto column = find(name)) return *column;
-        fail(fmt::format(
-            "there is no column \"{}\"; the first line must name it, or the configuration another one under columns.{}",
-            name, usual));
-    }
-
-    /// Column of the size, and what to multiply it with to get the radius.
-    [[nodiscard]] std::pair<std::size_t, double> size_column(const ColumnNames& columns) const {
-        if (!columns.radius.empty()) return {required("radius", columns.radius), 1.0};
-        if (!columns.diameter.empty()) return {required("diameter", columns.diameter), 0.5};
-        constexpr std::array<std::pair<std::string_view, double>, 4> usual = {
-            {{"radius", 1.0}, {"r", 1.0}, {"diameter", 0.5}, {"d", 0.5}}};
-        for (const auto& [name, to_radius] : usual) {
-            if (const auto column = find(name)) return {*column, to_radius};
+    /// Some programs write whole numbers as 12.0.
+    [[nodiscard]] std::int64_t identity() const {
+        const double value = cursor_.number(*id_, names_[*id_]);
+        constexpr double largest = 0x1p53;
+        if (value != std::floor(value) || std::abs(value) > largest) {
+            cursor_.fail_at(*id_, names_[*id_], "this is no whole number");
         }
-        fail(
-            "there is no column \"radius\" or \"diameter\"; the first line must name one, or the configuration another "
-            "one under columns");
+        return static_cast<std::int64_t>(value);
     }
 
-    [[nodiscard]] double number(std::size_t column) const {
-        const auto value = parse_number(cells_[column]);
-        if (!value) fail_at(column, "this is no number");
-        if (!std::isfinite(*value)) fail_at(column, "the number is not finite");
-        return *value;
-    }
-
-    [[noreturn]] void fail(const std::string& problem) const {
-        throw InputError(fmt::format("{}:{}: {}", file_, std::max<std::size_t>(line_number_, 1), problem));
-    }
-
-    [[noreturn]] void fail_at(std::size_t column, const std::string& problem) const {
-        constexpr std::size_t longest_quote = 40;
-        fail(fmt::format("column {} ({}): \"{}\": {}; correct the value or remove the line", column + 1, names_[column],
-                         cells_[column].substr(0, longest_quote), problem));
-    }
-
-    std::string file_;
-    std::string_view rest_, line_;
-    std::size_t line_number_ = 0;
+    TextCursor cursor_;
     char separator_ = ',';
     std::vector<std::string> names_;
-    std::vector<std::string_view> cells_;
+    std::vector<std::optional<double>> units_;  ///< of the columns [m]
+    std::array<std::size_t, 3> columns_ = {};
+    std::optional<SizeColumn> size_;
+    std::optional<std::size_t> id_;
+    bool has_units_ = false;
 };
 
 }  // namespace
 
-bool is_csv(const std::filesystem::path&, std::string_view head) {
-    return std::ranges::none_of(head, [](char c) { return c == '\0' || c == '\x89'; });
-}
+bool is_csv(const Content& content) { return looks_like_text(content.head()); }
 
-Source read_csv(const std::filesystem::path& file, const ColumnNames& columns) {
-    std::ifstream stream(file, std::ios::binary);
-    const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
-    return TableReader(file.string(), text).read(columns);
-}
+Source read_csv(const Content& content, const ReadOptions& options) { return Table(content, options).read(); }
 
 }  // namespace recoat

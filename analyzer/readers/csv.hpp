@@ -4,13 +4,14 @@
 
 namespace recoat {
 
-/// Whether the file is text whose first line names columns.
-bool is_csv(const std::filesystem::path& file, std::string_view head);
+/// Whether the file is text.
+bool is_csv(const Content& content);
 
-/// Reads a table: the first line names the columns, in any order; the columns x, y, z and radius (or r, diameter, d)
-/// are taken, in metres, and others passed over. Separators are commas, semicolons or white space. Empty lines count
-/// for nothing.
-Source read_csv(const std::filesystem::path& file, const ColumnNames& columns);
+/// Reads a table: the first line names the columns, in any order; those of the centre and of the radius or diameter are
+/// taken, the identities too, and others passed over. A name may carry a unit of length, "x [um]", "radius (mm)"; then
+/// those without are in metres. Separators are commas, semicolons, bars or white space. Empty lines count for
+/// nothing.
+Source read_csv(const Content& content, const ReadOptions& options);
 
 inline constexpr Reader csv_reader = {
     "csv", "tables of text with a first line that names the columns x, y, z and radius or diameter (CSV)", is_csv,

@@ -4,6 +4,7 @@
 #include <span>
 #include <string_view>
 
+#include "analyzer/readers/content.hpp"
 #include "analyzer/readers/source.hpp"
 
 namespace recoat {
@@ -13,16 +14,17 @@ namespace recoat {
 struct Reader {
     std::string_view name;
     std::string_view description;
-    /// Whether the file is of this format, judged by the file and by `head`, its first bytes.
-    bool (*recognises)(const std::filesystem::path& file, std::string_view head);
-    /// Reads the particles. Throws InputError naming the file, the line and the column at fault.
-    Source (*read)(const std::filesystem::path& file, const ColumnNames& columns);
+    /// Whether the file is of this format, judged by what it holds.
+    bool (*recognises)(const Content& content);
+    /// Reads the particles, lengths in the unit of the file. Throws InputError naming the file, the line and the column
+    /// at fault.
+    Source (*read)(const Content& content, const ReadOptions& options);
 };
 
 /// All formats in the order in which they are tried.
 [[nodiscard]] std::span<const Reader> readers();
 
 /// Reads the particles of a file of any known format. Throws InputError when it is of none, or damaged.
-[[nodiscard]] Source read_particles(const std::filesystem::path& file, const ColumnNames& columns = {});
+[[nodiscard]] Source read_particles(const std::filesystem::path& file, const ReadOptions& options = {});
 
 }  // namespace recoat

@@ -5,10 +5,10 @@
 namespace recoat {
 
 /// Whether the file is HDF5 with the group of recoat-solve.
-bool is_recoat_state(const std::filesystem::path& file, std::string_view head);
+bool is_recoat_state(const Content& content);
 
-/// The last state of a VTKHDF file that recoat-solve wrote, with what it says about its run. Column names do not apply.
-Source read_recoat_state(const std::filesystem::path& file, const ColumnNames& columns);
+/// A state of a VTKHDF file that recoat-solve wrote, with what it says about its run. Column names do not apply.
+Source read_recoat_state(const Content& content, const ReadOptions& options);
 
 inline constexpr Reader recoat_state_reader = {"recoat-state", "states of recoat-solve (VTKHDF)", is_recoat_state,
                                                read_recoat_state};

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,13 +22,27 @@ struct SourceInfo {
     double y_period = unknown;
     double blade_start = unknown;    ///< x of the rear bottom edge of the blade before spreading
     double spread_length = unknown;  ///< way of the blade
+    double base = unknown;           ///< z of the base
+    double x_lower = unknown;        ///< smallest and largest x of the centres
+    double x_upper = unknown;
+};
+
+/// The box of a simulation, in the unit of the positions.
+struct Box {
+    Vec3 lower, upper;
+    std::array<bool, 3> periodic = {};   ///< along x, y, z; false where the file says nothing
+    std::array<bool, 3> unwrapped = {};  ///< positions may lie in another image of the box
 };
 
 /// Particles of one instant as a reader found them, in the order of the file.
 struct Source {
-    std::string format;          ///< name of the reader
-    std::vector<Vec3> position;  ///< [N] m
-    std::vector<double> radius;  ///< [N] m
+    std::string format;              ///< name of the reader
+    std::vector<Vec3> position;      ///< [N] m
+    std::vector<double> radius;      ///< [N] m; a reader leaves it empty where the file has none
+    std::vector<std::int64_t> id;    ///< [N] identities, or empty
+    std::vector<std::size_t> line;   ///< [N] lines of a text file, or empty
+    std::optional<Box> box;          ///< where the file has one
+    std::optional<double> own_unit;  ///< unit of length [m] where the file has one
     SourceInfo info;
     std::vector<std::pair<std::string, std::string>> facts;  ///< further things the file says: name and value
 };
@@ -33,6 +50,21 @@ struct Source {
 /// Names of columns chosen by the user; an empty one stands for the usual names.
 struct ColumnNames {
     std::string x, y, z, radius, diameter;
+};
+
+/// Which of several instants in a file is read.
+struct StepChoice {
+    enum class Which { last, first, number };
+    Which which = Which::last;
+    std::int64_t number = 0;  ///< number of the time step as the file has it
+};
+
+/// What the user says about a file that does not say it itself.
+struct ReadOptions {
+    ColumnNames columns = {};
+    std::optional<double> length_unit = {};  ///< [m]
+    std::optional<double> radius = {};       ///< of all particles [m]
+    StepChoice step = {};
 };
 
 }  // namespace recoat

@@ -22,7 +22,7 @@ protected:
     Source read(const std::string& text, const ColumnNames& columns = {}) const {
         const auto file = folder_ / "table.csv";
         std::ofstream(file, std::ios::binary) << text;
-        return read_particles(file, columns);
+        return read_particles(file, {.columns = columns});
     }
 
     /// The message without the folder.

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "analyzer/readers/source.hpp"
+
+namespace recoat {
+
+/// The column that holds the size of the particles, and what to multiply it with to get the radius.
+struct SizeColumn {
+    std::size_t index = 0;
+    double to_radius = 1;
+};
+
+/// Place of a name among the names, which are in small letters; the name's own letters do not matter.
+[[nodiscard]] std::optional<std::size_t> find_column(std::span<const std::string> names, std::string_view name);
+
+/// The first column with a usual name of this coordinate: 'x', 'y' or 'z'.
+[[nodiscard]] std::optional<std::size_t> find_coordinate(std::span<const std::string> names, char axis);
+
+/// The column of the identities of the particles.
+[[nodiscard]] std::optional<std::size_t> find_id(std::span<const std::string> names);
+
+/// The column of the size: the one that the user chose, or that has a usual name of a radius or a diameter. When there
+/// is none that the user chose, calls `fail` with the problem.
+[[nodiscard]] std::optional<SizeColumn> find_size(std::span<const std::string> names, const ColumnNames& chosen,
+                                                  const std::function<void(const std::string&)>& fail);
+
+}  // namespace recoat

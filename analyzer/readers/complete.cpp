@@ -1,0 +1,116 @@
+#include "analyzer/readers/complete.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+
+namespace recoat {
+namespace {
+
+/// "file:line" of a particle, or "file: particle i" where the file has no lines.
+std::string place(const Source& source, const std::string& file, std::size_t i) {
+    if (source.line.empty()) return fmt::format("{}: particle {}", file, i);
+    return fmt::format("{}:{}", file, source.line[i]);
+}
+
+void scale_lengths(Source& source, const std::string& file, const ReadOptions& options) {
+    if (source.own_unit && options.length_unit && *source.own_unit != *options.length_unit) {
+        throw InputError(fmt::format("{}: the file says itself that its unit of length is {} m; leave the unit out",
+                                     file, *source.own_unit));
+    }
+    const double unit = options.length_unit.value_or(source.own_unit.value_or(1.0));
+    if (unit == 1) return;
+    for (Vec3& p : source.position) p = unit * p;
+    for (double& radius : source.radius) radius *= unit;
+    if (source.box) {
+        source.box->lower = unit * source.box->lower;
+        source.box->upper = unit * source.box->upper;
+    }
+}
+
+void set_radius(Source& source, const std::string& file, const ReadOptions& options) {
+    const bool has_radius = !source.radius.empty() || source.position.empty();
+    if (!has_radius && !options.radius) {
+        throw InputError(
+            fmt::format("{}: the file gives no size of its particles under a usual name; name the column "
+                        "(--radius-column or --diameter-column) or give one radius for all (--radius)",
+                        file));
+    }
+    if (!source.radius.empty() && options.radius) {
+        throw InputError(fmt::format("{}: the file gives the size of its particles; leave the radius out", file));
+    }
+    if (options.radius) source.radius.assign(source.position.size(), *options.radius);
+}
+
+void check_numbers(const Source& source, const std::string& file) {
+    for (std::size_t i = 0; i < source.position.size(); ++i) {
+        const Vec3 p = source.position[i];
+        const double radius = source.radius[i];
+        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(radius) && radius > 0) {
+            continue;
+        }
+        throw InputError(
+            fmt::format("{}: particle {} has the centre ({}, {}, {}) and the radius {}; all must be finite, the "
+                        "radius above zero",
+                        file, i, p.x, p.y, p.z, radius));
+    }
+}
+
+void check_identities(const Source& source, const std::string& file) {
+    std::vector<std::size_t> order(source.id.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return source.id[i]; });
+    const auto twice = std::ranges::adjacent_find(order, {}, [&](std::size_t i) { return source.id[i]; });
+    if (twice == order.end()) return;
+    const std::string first =
+        source.line.empty() ? fmt::format("particle {}", twice[0]) : fmt::format("line {}", source.line[twice[0]]);
+    throw InputError(
+        fmt::format("{}: the id {} has been given to another particle already ({}); every particle needs "
+                    "its own",
+                    place(source, file, twice[1]), source.id[twice[1]], first));
+}
+
+/// Codes move particles back into the box now and then only, so a diameter of play.
+void check_box(const Source& source, const std::string& file) {
+    const Box& box = *source.box;
+    struct Axis {
+        char name;
+        double Vec3::*value;
+    };
+    constexpr std::array<Axis, 3> axes = {{{'x', &Vec3::x}, {'y', &Vec3::y}, {'z', &Vec3::z}}};
+    for (std::size_t a = 0; a < axes.size(); ++a) {
+        const double lower = box.lower.*axes[a].value, upper = box.upper.*axes[a].value;
+        if (!(lower < upper)) {
+            throw InputError(
+                fmt::format("{}: the box ends along {} at {:.9g} m, where it has not begun yet ({:.9g} "
+                            "m); correct the bounds",
+                            file, axes[a].name, upper, lower));
+        }
+        if (box.periodic[a] && box.unwrapped[a]) continue;
+        for (std::size_t i = 0; i < source.position.size(); ++i) {
+            const double value = source.position[i].*axes[a].value, play = 2 * source.radius[i];
+            if (value >= lower - play && value <= upper + play) continue;
+            throw InputError(
+                fmt::format("{}: the particle lies at {} = {:.9g} m, outside the box of the file, {:.9g} ... {:.9g} m; "
+                            "correct the particle or the box",
+                            place(source, file, i), axes[a].name, value, lower, upper));
+        }
+    }
+}
+
+}  // namespace
+
+void complete(Source& source, const std::string& file, const ReadOptions& options) {
+    scale_lengths(source, file, options);
+    set_radius(source, file, options);
+    check_numbers(source, file);
+    check_identities(source, file);
+    if (source.box) check_box(source, file);
+}
+
+}  // namespace recoat

@@ -1,0 +1,108 @@
+#include "analyzer/readers/text_cursor.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "common/error.hpp"
+#include "common/number.hpp"
+
+namespace recoat {
+namespace {
+
+constexpr std::string_view white_space = " \t\r\v\f";
+
+}  // namespace
+
+bool TextCursor::next() {
+    if (rest_.empty()) return false;
+    const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    line_ = rest_.substr(0, end);
+    rest_.remove_prefix(std::min(end + 1, rest_.size()));
+    ++number_;
+    return true;
+}
+
+bool TextCursor::next_filled() {
+    while (next()) {
+        if (line_.find_first_not_of(white_space) != std::string_view::npos) return true;
+    }
+    return false;
+}
+
+void TextCursor::need(std::string_view wanted) {
+    if (next()) return;
+    fail(fmt::format("the file ends here, but {} should follow; copy the file again from where it was made", wanted));
+}
+
+void TextCursor::skip(std::size_t count, std::string_view wanted) {
+    for (std::size_t i = 0; i < count; ++i) need(wanted);
+}
+
+void TextCursor::split(char separator) {
+    cells_.clear();
+    std::string_view line = line_;
+    while (separator != ' ') {
+        const std::size_t end = line.find(separator);
+        cells_.push_back(trimmed(line.substr(0, end)));
+        if (end == std::string_view::npos) return;
+        line.remove_prefix(end + 1);
+    }
+    for (std::size_t start = line.find_first_not_of(white_space); start != std::string_view::npos;) {
+        const std::size_t end = std::min(line.find_first_of(white_space, start), line.size());
+        cells_.push_back(line.substr(start, end - start));
+        start = line.find_first_not_of(white_space, end);
+    }
+}
+
+double TextCursor::number(std::size_t column, std::string_view column_name) const {
+    const auto value = parse_number(cells_[column]);
+    if (!value) fail_at(column, column_name, "this is no number");
+    if (!std::isfinite(*value)) fail_at(column, column_name, "the number is not finite");
+    return *value;
+}
+
+std::int64_t TextCursor::integer(std::size_t column, std::string_view column_name) const {
+    const auto value = parse_integer(cells_[column]);
+    if (!value) fail_at(column, column_name, "this is no whole number");
+    return *value;
+}
+
+std::size_t TextCursor::count(std::string_view what) const {
+    const auto value = parse_integer(trimmed(line_));
+    if (!value || *value < 0) {
+        fail(fmt::format("\"{}\" is no {}; copy the file again from where it was made", quotable(line_), what));
+    }
+    return static_cast<std::size_t>(*value);
+}
+
+void TextCursor::fail(const std::string& problem) const {
+    throw InputError(fmt::format("{}:{}: {}", name_, std::max<std::size_t>(number_, 1), problem));
+}
+
+void TextCursor::fail_at(std::size_t column, std::string_view column_name, const std::string& problem) const {
+    fail(fmt::format("column {} ({}): \"{}\": {}; correct the value or remove the line", column + 1,
+                     quotable(column_name), quotable(cells_[column]), problem));
+}
+
+std::string quotable(std::string_view text) {
+    constexpr std::size_t longest_quote = 40;
+    std::string result(text.substr(0, longest_quote));
+    std::ranges::replace_if(
+        result, [](unsigned char c) { return std::iscntrl(c) || c >= 0x80; }, '?');
+    return result;
+}
+
+std::string lower_case(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return result;
+}
+
+bool looks_like_text(std::string_view head) {
+    return head.find('\0') == std::string_view::npos && !head.starts_with('\x89');
+}
+
+}  // namespace recoat

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace recoat {
+
+/// Goes through a text line by line and knows where it is, for errors. Columns count from 0 here, from 1 in errors.
+class TextCursor {
+public:
+    /// `name` stands for the file in errors; `text` must outlive the cursor.
+    TextCursor(std::string name, std::string_view text) : name_(std::move(name)), rest_(text) {}
+
+    /// Moves to the next line; false at the end of the text.
+    bool next();
+    /// Moves to the next line that is not blank; false when there is none.
+    bool next_filled();
+    /// Moves to the next line, blank or not. Throws InputError when the text ends before `wanted`.
+    void need(std::string_view wanted);
+    /// Passes over lines. Throws InputError when the text ends before.
+    void skip(std::size_t count, std::string_view wanted);
+
+    [[nodiscard]] std::string_view line() const { return line_; }
+    [[nodiscard]] std::size_t line_number() const { return number_; }
+    [[nodiscard]] std::string_view rest() const { return rest_; }
+    [[nodiscard]] const std::string& name() const { return name_; }
+
+    /// Cuts the line into cells(); `separator` ' ' stands for any white space.
+    void split(char separator = ' ');
+    [[nodiscard]] const std::vector<std::string_view>& cells() const { return cells_; }
+
+    /// The finite number in a cell; `column_name` is for the error.
+    [[nodiscard]] double number(std::size_t column, std::string_view column_name) const;
+    /// The whole number in a cell.
+    [[nodiscard]] std::int64_t integer(std::size_t column, std::string_view column_name) const;
+    /// The whole number that is all of the line and not negative, e.g. a count; `what` is for the error.
+    [[nodiscard]] std::size_t count(std::string_view what) const;
+
+    /// Throws InputError "file:line: problem".
+    [[noreturn]] void fail(const std::string& problem) const;
+    /// Throws InputError that names and quotes a cell.
+    [[noreturn]] void fail_at(std::size_t column, std::string_view column_name, const std::string& problem) const;
+
+private:
+    std::string name_;
+    std::string_view rest_, line_;
+    std::size_t number_ = 0;
+    std::vector<std::string_view> cells_;
+};
+
+/// The beginning of a text as it can be shown in a sentence: without what cannot be printed.
+[[nodiscard]] std::string quotable(std::string_view text);
+
+/// In small letters (ASCII).
+[[nodiscard]] std::string lower_case(std::string_view text);
+
+/// Whether these bytes may be the beginning of a text.
+[[nodiscard]] bool looks_like_text(std::string_view head);
+
+}  // namespace recoat
