@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint clean
+.PHONY: setup programs build reproduce test lint bench clean
 
 setup:
 	@./setup.sh
@@ -28,3 +28,6 @@ lint: build
 
 clean:
 	@rm -rf build .snakemake results/reduced results/smoke
+
+bench: build
+	@bench/side_by_side.sh bench/results/side-by-side.json
