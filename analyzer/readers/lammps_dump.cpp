@@ -1,0 +1,124 @@
+#include "analyzer/readers/lammps_dump.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "analyzer/readers/columns.hpp"
+#include "analyzer/readers/lammps_snapshot.hpp"
+#include "analyzer/readers/steps.hpp"
+#include "common/error.hpp"
+
+namespace recoat {
+namespace {
+
+/// A coordinate in a dump: its column, and how to get a length from it.
+struct Coordinate {
+    std::size_t column = 0;
+    bool scaled = false, unwrapped = false;
+};
+
+Coordinate find_axis(const LammpsSnapshot& snapshot, const TextCursor& cursor, char axis, const std::string& chosen) {
+    if (!chosen.empty()) {
+        if (const auto column = find_column(snapshot.columns, chosen)) return {.column = *column};
+        cursor.fail(
+            fmt::format("there is no column \"{}\"; the dump has: {}", chosen, fmt::join(snapshot.columns, ", ")));
+    }
+    struct Form {
+        std::string_view ending;
+        bool scaled, unwrapped;
+    };
+    constexpr std::array<Form, 4> forms = {
+        {{"", false, false}, {"u", false, true}, {"s", true, false}, {"su", true, true}}};
+    for (const Form& form : forms) {
+        const auto column = find_column(snapshot.columns, fmt::format("{}{}", axis, form.ending));
+        if (column) return {*column, form.scaled, form.unwrapped};
+    }
+    cursor.fail(
+        fmt::format("there is no column {0}, {0}s, {0}u or {0}su among those of the dump ({1}); dump the "
+                    "positions of the atoms too",
+                    axis, fmt::join(snapshot.columns, ", ")));
+}
+
+/// Reads the atoms of one snapshot; the cursor stands on the line that names the columns.
+class AtomReader {
+public:
+    AtomReader(const LammpsSnapshot& snapshot, TextCursor cursor, const ColumnNames& chosen)
+        : snapshot_(snapshot), cursor_(std::move(cursor)) {
+        axes_ = {find_axis(snapshot, cursor_, 'x', chosen.x), find_axis(snapshot, cursor_, 'y', chosen.y),
+                 find_axis(snapshot, cursor_, 'z', chosen.z)};
+        size_ = find_size(snapshot.columns, chosen, [this](const std::string& problem) { cursor_.fail(problem); });
+        id_ = find_column(snapshot.columns, "id");
+    }
+
+    Source read() {
+        Source source;
+        source.box = snapshot_.box;
+        for (std::size_t a = 0; a < 3; ++a) source.box->unwrapped[a] = axes_[a].unwrapped;
+        source.own_unit = snapshot_.unit;
+        const Vec3 low = snapshot_.box.lower, high = snapshot_.box.upper;
+        for (std::size_t i = 0; i < snapshot_.count; ++i) {
+            next_atom();
+            source.position.push_back(
+                {coordinate(0, low.x, high.x), coordinate(1, low.y, high.y), coordinate(2, low.z, high.z)});
+            if (size_) source.radius.push_back(radius());
+            if (id_) source.id.push_back(cursor_.integer(*id_, "id"));
+            source.line.push_back(cursor_.line_number());
+        }
+        return source;
+    }
+
+private:
+    void next_atom() {
+        cursor_.need("an atom");
+        cursor_.split();
+        if (cursor_.cells().size() == snapshot_.columns.size()) return;
+        cursor_.fail(fmt::format("the line has {} columns, but \"ITEM: ATOMS\" names {}; make them agree",
+                                 cursor_.cells().size(), snapshot_.columns.size()));
+    }
+
+    [[nodiscard]] double coordinate(std::size_t axis, double low, double high) const {
+        const Coordinate& place = axes_[axis];
+        const double value = cursor_.number(place.column, snapshot_.columns[place.column]);
+        return place.scaled ? low + value * (high - low) : value;
+    }
+
+    [[nodiscard]] double radius() const {
+        const std::string& name = snapshot_.columns[size_->index];
+        const double value = size_->to_radius * cursor_.number(size_->index, name);
+        if (!(value > 0)) cursor_.fail_at(size_->index, name, "a particle must have a size above zero");
+        return value;
+    }
+
+    const LammpsSnapshot& snapshot_;
+    TextCursor cursor_;
+    std::array<Coordinate, 3> axes_;
+    std::optional<SizeColumn> size_;
+    std::optional<std::size_t> id_;
+};
+
+}  // namespace
+
+bool is_lammps_dump(const Content& content) { return content.bytes.starts_with("ITEM:"); }
+
+Source read_lammps_dump(const Content& content, const ReadOptions& options) {
+    TextCursor cursor(content.name(), content.bytes);
+    std::vector<LammpsSnapshot> snapshots;
+    std::vector<TextCursor> places;
+    std::vector<std::int64_t> steps;
+    while (cursor.next_filled()) {
+        snapshots.push_back(read_lammps_header(cursor, snapshots.empty() ? nullptr : &snapshots.back()));
+        steps.push_back(snapshots.back().step);
+        places.push_back(cursor);
+        cursor.skip(snapshots.back().count, fmt::format("{} atoms", snapshots.back().count));
+    }
+    const std::size_t chosen = choose_step(steps, options.step, content.name());
+    Source source = AtomReader(snapshots[chosen], places[chosen], options.columns).read();
+    source.facts = {{"snapshots", std::to_string(steps.size())},
+                    {"steps", fmt::format("{} ... {}", steps.front(), steps.back())},
+                    {"step", std::to_string(steps[chosen])},
+                    {"columns", fmt::format("{}", fmt::join(snapshots[chosen].columns, " "))}};
+    return source;
+}
+
+}  // namespace recoat

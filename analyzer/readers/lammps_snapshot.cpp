@@ -1,0 +1,109 @@
+#include "analyzer/readers/lammps_snapshot.hpp"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "common/number.hpp"
+
+namespace recoat {
+namespace {
+
+/// "ITEM: BOX BOUNDS ff pp ff": what follows are the flags, or the names of tilt factors.
+void read_box(TextCursor& cursor, std::string_view flags, Box& box) {
+    if (flags.find("xy") != std::string_view::npos || flags.find("abc") != std::string_view::npos) {
+        cursor.fail("the box is triclinic (tilted), which has no meaning for a layer; dump from an orthogonal box");
+    }
+    cursor.split();
+    const std::vector<std::string_view> words = cursor.cells();
+    constexpr std::array<double Vec3::*, 3> axes = {&Vec3::x, &Vec3::y, &Vec3::z};
+    for (std::size_t a = 0; a < 3; ++a) {
+        // The first three words are "ITEM:", "BOX" and "BOUNDS"; old dumps have no flags.
+        box.periodic[a] = words.size() == 6 && words[3 + a] == "pp";
+        cursor.need("the bounds of the box");
+        cursor.split();
+        if (cursor.cells().size() != 2) {
+            cursor.fail(fmt::format("the line has {} numbers, but the bounds of a box along one direction are 2",
+                                    cursor.cells().size()));
+        }
+        box.lower.*axes[a] = cursor.number(0, "lower bound");
+        box.upper.*axes[a] = cursor.number(1, "upper bound");
+    }
+}
+
+void read_columns(TextCursor& cursor, std::string_view names, LammpsSnapshot& snapshot) {
+    cursor.split();
+    for (std::size_t i = 2; i < cursor.cells().size(); ++i) snapshot.columns.push_back(lower_case(cursor.cells()[i]));
+    if (trimmed(names).empty()) {
+        cursor.fail(
+            "\"ITEM: ATOMS\" does not name its columns; add their names, e.g. ITEM: ATOMS id type x y z radius");
+    }
+}
+
+/// Whether the line is this item; `rest` is what follows on it.
+bool is_item(std::string_view line, std::string_view item, std::string_view& rest) {
+    if (!line.starts_with(item)) return false;
+    rest = line.substr(item.size());
+    return true;
+}
+
+struct Found {
+    bool step = false, count = false, box = false;
+};
+
+/// Reads one item; true when it was the last, the names of the columns.
+bool read_item(TextCursor& cursor, LammpsSnapshot& snapshot, Found& found) {
+    const std::string_view line = cursor.line();
+    std::string_view rest;
+    if (is_item(line, "ITEM: TIMESTEP", rest)) {
+        cursor.need("the number of the time step");
+        snapshot.step = static_cast<std::int64_t>(cursor.count("number of a time step"));
+        found.step = true;
+    } else if (is_item(line, "ITEM: UNITS", rest)) {
+        cursor.need("the name of the units");
+        snapshot.unit = lammps_length_unit(trimmed(cursor.line()));
+    } else if (is_item(line, "ITEM: TIME", rest)) {
+        cursor.need("the time");
+    } else if (is_item(line, "ITEM: NUMBER OF ATOMS", rest)) {
+        cursor.need("the number of atoms");
+        snapshot.count = cursor.count("number of atoms");
+        found.count = true;
+    } else if (is_item(line, "ITEM: BOX BOUNDS", rest)) {
+        read_box(cursor, rest, snapshot.box);
+        found.box = true;
+    } else if (is_item(line, "ITEM: ATOMS", rest)) {
+        read_columns(cursor, rest, snapshot);
+        return true;
+    } else if (is_item(line, "ITEM: NUMBER OF ENTRIES", rest) || is_item(line, "ITEM: ENTRIES", rest)) {
+        cursor.fail("this dump lists local entries such as contacts, not particles; give a dump of atoms");
+    } else {
+        cursor.fail(fmt::format("\"{}\" is no item of a dump of atoms; copy the file again from where it was made",
+                                quotable(line)));
+    }
+    return false;
+}
+
+}  // namespace
+
+std::optional<double> lammps_length_unit(std::string_view style) {
+    if (style == "si") return 1.0;
+    if (style == "cgs") return 1e-2;
+    if (style == "micro") return 1e-6;
+    if (style == "nano") return 1e-9;
+    if (style == "real" || style == "metal") return 1e-10;
+    return {};
+}
+
+LammpsSnapshot read_lammps_header(TextCursor& cursor, const LammpsSnapshot* previous) {
+    LammpsSnapshot snapshot;
+    if (previous != nullptr) snapshot.unit = previous->unit;
+    Found found;
+    while (!read_item(cursor, snapshot, found)) cursor.need("\"ITEM: ATOMS\"");
+    if (found.step && found.count && found.box) return snapshot;
+    cursor.fail(fmt::format("there is no \"{}\" before the atoms; copy the file again from where it was made",
+                            !found.step    ? "ITEM: TIMESTEP"
+                            : !found.count ? "ITEM: NUMBER OF ATOMS"
+                                           : "ITEM: BOX BOUNDS"));
+}
+
+}  // namespace recoat

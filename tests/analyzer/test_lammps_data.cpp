@@ -1,0 +1,65 @@
+#include "tests/analyzer/reader_fixture.hpp"
+
+namespace recoat {
+namespace {
+
+using testing::begins;
+using testing::replaced;
+
+const std::string small =
+    "LAMMPS data file\n\n2 atoms\n1 atom types\n\n0 4 xlo xhi\n0 2 ylo yhi\n0 3 zlo zhi\n\nMasses\n\n1 1.0\n\n"
+    "Atoms # sphere\n\n1 1 0.5 2500 1 1 1 0 -1 0\n2 1 1 2500 2 1 1 0 0 0\n\nVelocities\n\n1 0 0 0 0 0 0\n";
+
+class LammpsData : public testing::ReaderTest {};
+
+TEST_F(LammpsData, AtomsBoxAndDensity) {
+    const Source source = read(small);
+    EXPECT_EQ(source.format, "lammps-data");
+    EXPECT_EQ(source.position, (std::vector<Vec3>{{1, 1, 1}, {2, 1, 1}}));
+    EXPECT_EQ(source.radius, (std::vector<double>{0.25, 0.5}));
+    EXPECT_EQ(source.info.density, 2500);
+    ASSERT_TRUE(source.box);
+    EXPECT_EQ(source.box->upper, (Vec3{4, 2, 3}));
+    // Only the image flag of y is not zero anywhere.
+    EXPECT_EQ(source.box->periodic, (std::array{false, true, false}));
+}
+
+TEST_F(LammpsData, OtherStyles) {
+    EXPECT_EQ(read(replaced(small, " # sphere", "")).radius[1], 0.5);
+    const std::string atomic = replaced(
+        replaced(replaced(small, "1 1 0.5 2500 1 1 1 0 -1 0", "1 1 1 1 1"), "2 1 1 2500 2 1 1 0 0 0", "2 1 2 1 1"),
+        " # sphere", "");
+    EXPECT_TRUE(begins(error(atomic), "layer: the file gives no size of its particles"));
+    EXPECT_EQ(read(atomic, {.columns = {}, .length_unit = {}, .radius = 0.5}).position[1], (Vec3{2, 1, 1}));
+    EXPECT_TRUE(
+        begins(error(replaced(small, "# sphere", "# hybrid sphere")), "layer:14: the atom style \"hybrid sphe"));
+}
+
+TEST_F(LammpsData, RealFile) {
+    const Source source = read_particles(data("lammps-write_data.data"));
+    ASSERT_EQ(source.position.size(), 100U);
+    EXPECT_EQ(source.id[0], 2455);
+    EXPECT_EQ(source.position[0], (Vec3{0.0008969776621513286, 1.5221851286980524e-05, 2.4999691061534087e-05}));
+    EXPECT_EQ(source.radius[99], 2.5e-5);
+    EXPECT_EQ(source.info.density, 4430);
+    EXPECT_TRUE(source.box->periodic[1]);
+}
+
+TEST_F(LammpsData, DamagedFiles) {
+    const std::string atom = "1 1 0.5 2500 1 1 1 0 -1 0\n";
+    const auto with = [&](const std::string& line) { return error(replaced(small, atom, line)); };
+    EXPECT_TRUE(begins(error(replaced(small, "2 atoms", "3 atoms")), "layer:18: the section Atoms ends after 2 of 3"));
+    EXPECT_TRUE(
+        begins(error(small.substr(0, small.find("2 1 1 2500"))), "layer:16: the section Atoms ends after 1 of 2"));
+    EXPECT_TRUE(begins(error(small.substr(0, small.find("Atoms"))), "layer:13: there is no section Atoms"));
+    EXPECT_TRUE(begins(with("1 1 0.5 2500 1 1\n"), "layer:16: the line has 6 columns, but atoms of style sphere"));
+    EXPECT_TRUE(begins(with("1 1 0.5 2500 1 inf 1\n"), "layer:16: column 6 (y): \"inf\": the number is not finite"));
+    EXPECT_TRUE(begins(with("1 1 0 2500 1 1 1\n"), "layer:16: column 3 (diameter): \"0\": a particle must have"));
+    EXPECT_TRUE(begins(with("2 1 0.5 2500 1 1 1\n"), "layer:17: the id 2 has been given to another particle"));
+    EXPECT_TRUE(begins(with("1 1 0.5 2500 1 1 7\n"), "layer:16: the particle lies at z = 7 m, outside the box"));
+    EXPECT_TRUE(
+        begins(error(replaced(small, "\nMasses", "0 0 0 xy xz yz\n\nMasses")), "layer:9: the box is triclinic"));
+}
+
+}  // namespace
+}  // namespace recoat
