@@ -1,0 +1,96 @@
+#include "analyzer/readers/mercury_data.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analyzer/readers/steps.hpp"
+#include "analyzer/readers/text_cursor.hpp"
+#include "common/number.hpp"
+
+namespace recoat {
+namespace {
+
+constexpr std::size_t header_columns = 8, particle_columns = 14, flat_header_columns = 6;
+
+struct Snapshot {
+    TextCursor place;  ///< on the header
+    std::size_t count = 0;
+    double time = 0;
+};
+
+bool all_numbers(const std::vector<std::string_view>& cells) {
+    return std::ranges::all_of(cells, [](std::string_view cell) { return parse_number(cell).has_value(); });
+}
+
+/// A header in three or in two dimensions.
+bool is_header(const TextCursor& cursor) {
+    const auto& cells = cursor.cells();
+    if (cells.size() != header_columns && cells.size() != flat_header_columns) return false;
+    const auto count = parse_integer(cells[0]);
+    return count && *count >= 0 && all_numbers(cells);
+}
+
+Snapshot read_header(TextCursor& cursor) {
+    cursor.split();
+    if (cursor.cells().size() == flat_header_columns && is_header(cursor)) {
+        cursor.fail("the file is of a simulation in two dimensions, which has no layer; give one in three");
+    }
+    if (cursor.cells().size() != header_columns || !is_header(cursor)) {
+        cursor.fail(
+            fmt::format("the line has {} columns, but the head of a snapshot is a count and 7 numbers: N time "
+                        "xmin ymin zmin xmax ymax zmax",
+                        cursor.cells().size()));
+    }
+    return {cursor, static_cast<std::size_t>(cursor.integer(0, "N")), cursor.number(1, "time")};
+}
+
+Source read_particles_of(Snapshot snapshot) {
+    TextCursor& cursor = snapshot.place;
+    Source source;
+    source.box = Box{.lower = {cursor.number(2, "xmin"), cursor.number(3, "ymin"), cursor.number(4, "zmin")},
+                     .upper = {cursor.number(5, "xmax"), cursor.number(6, "ymax"), cursor.number(7, "zmax")}};
+    for (std::size_t i = 0; i < snapshot.count; ++i) {
+        cursor.need("a particle");
+        cursor.split();
+        if (cursor.cells().size() != particle_columns) {
+            cursor.fail(fmt::format("the line has {} columns, but a particle has {}; correct the line",
+                                    cursor.cells().size(), particle_columns));
+        }
+        source.position.push_back({cursor.number(0, "x"), cursor.number(1, "y"), cursor.number(2, "z")});
+        constexpr std::size_t radius = 6;
+        source.radius.push_back(cursor.number(radius, "radius"));
+        if (!(source.radius.back() > 0)) cursor.fail_at(radius, "radius", "a particle must have a size above zero");
+        source.line.push_back(cursor.line_number());
+    }
+    return source;
+}
+
+}  // namespace
+
+bool is_mercury_data(const Content& content) {
+    if (!looks_like_text(content.head())) return false;
+    TextCursor cursor({}, content.head());
+    if (!cursor.next_filled()) return false;
+    cursor.split();
+    return is_header(cursor);
+}
+
+Source read_mercury_data(const Content& content, const ReadOptions& options) {
+    TextCursor cursor(content.name(), content.bytes);
+    std::vector<Snapshot> snapshots;
+    std::vector<std::int64_t> numbers;
+    while (cursor.next_filled()) {
+        numbers.push_back(static_cast<std::int64_t>(snapshots.size()));
+        snapshots.push_back(read_header(cursor));
+        cursor.skip(snapshots.back().count, fmt::format("{} particles", snapshots.back().count));
+    }
+    const std::size_t chosen = choose_step(numbers, options.step, content.name());
+    Source source = read_particles_of(snapshots[chosen]);
+    source.facts = {{"snapshots", std::to_string(snapshots.size())},
+                    {"snapshot", std::to_string(chosen)},
+                    {"time", shortest(snapshots[chosen].time)}};
+    return source;
+}
+
+}  // namespace recoat
