@@ -33,6 +33,10 @@ Analysis analyse(Layer layer, const AnalysisConfig& config) {
     result.height_map = height_map(result.layer, config);
     result.height = height_metrics(result.height_map, config.height_bin, config.bin_tol);
     result.totals = totals_metrics(result.layer, config);
+    for (const auto connectivity : {GridConnectivity::sides, GridConnectivity::sides_and_corners}) {
+        result.density_pores.push_back(
+            density_pore_metrics(result.packing.exact, result.layer.grid, config, connectivity));
+    }
     for (const int n : config.voxels_per_dp) result.voxel.push_back(voxel_metrics(result, config, n));
     return result;
 }

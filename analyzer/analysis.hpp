@@ -12,6 +12,7 @@
 #include "analyzer/metrics/box_stats.hpp"
 #include "analyzer/metrics/cluster_sizes.hpp"
 #include "analyzer/metrics/coordination.hpp"
+#include "analyzer/metrics/density_pores.hpp"
 #include "analyzer/metrics/height.hpp"
 #include "analyzer/metrics/orientation.hpp"
 #include "analyzer/metrics/packing.hpp"
@@ -43,6 +44,7 @@ struct Analysis {
     BoxStats phi_exact, phi_centre;
     Map height_map;
     HeightMetrics height;
+    std::vector<DensityPoreMetrics> density_pores;  ///< by 4-neighbours and by 8-neighbours
     TotalsMetrics totals;
     std::vector<VoxelMetrics> voxel;
 };

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "analyzer/output/described_group.hpp"
+#include "analyzer/output/hdf5_pores.hpp"
 #include "analyzer/output/json_report.hpp"
 #include "common/output_file.hpp"
 #include "common/version.hpp"
@@ -192,6 +193,11 @@ void write_groups(const hdf5::Group& file, const Analysis& analysis, const Analy
     write_box_stats(group("phi_centre"), analysis.phi_centre);
     write_height(group("height"), analysis.height);
     write_totals(group("totals"), analysis.totals);
+    const DescribedGroup density_pores = group("density_pores");
+    for (const DensityPoreMetrics& metrics : analysis.density_pores) {
+        write_density_pores(density_pores.group(std::to_string(static_cast<int>(metrics.connectivity))), metrics,
+                            config);
+    }
     const DescribedGroup voxel = group("voxel");
     for (const VoxelMetrics& metrics : analysis.voxel)
         write_voxel(voxel.group(std::to_string(metrics.voxels_per_dp)), metrics);

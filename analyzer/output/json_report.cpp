@@ -1,5 +1,7 @@
 #include "analyzer/output/json_report.hpp"
 
+#include "analyzer/output/json_pores.hpp"
+
 namespace recoat {
 namespace {
 
@@ -160,6 +162,7 @@ Json json_report(const Analysis& analysis, const AnalysisConfig& config) {
             {"phi_centre", to_json(analysis.phi_centre)},
             {"height", to_json(analysis.height)},
             {"totals", to_json(analysis.totals)},
+            {"density_pores", json_density_pores(analysis.density_pores, config.grid)},
             {"voxel", to_json(analysis.voxel)},
             {"maps",
              {{"phi_exact", to_json(analysis.packing.exact)},

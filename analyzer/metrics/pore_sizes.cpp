@@ -1,0 +1,31 @@
+#include "analyzer/metrics/pore_sizes.hpp"
+
+#include <algorithm>
+
+#include "analyzer/metrics/box_stats.hpp"
+
+namespace recoat {
+
+PoreSizes pore_sizes(std::vector<double> diameters, double tolerance) {
+    PoreSizes sizes;
+    std::ranges::sort(diameters);
+    sizes.sorted = std::move(diameters);
+    sizes.count = sizes.sorted.size();
+    if (sizes.count == 0) return sizes;
+    sizes.mean = mean(sizes.sorted);
+    sizes.median = quantile(sizes.sorted, 0.5);
+    sizes.max = sizes.sorted.back();
+    double area = 0;
+    for (const double diameter : sizes.sorted) {
+        const double upper = static_cast<double>(PoreSizes::groups - 1);
+        const auto group = static_cast<std::size_t>(std::min(diameter + tolerance, upper));
+        sizes.group_number_fraction[group] += 1;
+        sizes.group_area_fraction[group] += diameter * diameter;
+        area += diameter * diameter;
+    }
+    for (double& share : sizes.group_number_fraction) share /= static_cast<double>(sizes.count);
+    for (double& share : sizes.group_area_fraction) share /= area;
+    return sizes;
+}
+
+}  // namespace recoat

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "analyzer/analysis.hpp"
+#include "analyzer/output/described_group.hpp"
+
+namespace recoat {
+
+/// Writes the density pores of one connectivity into a group: their size distribution and a table with one row each.
+void write_density_pores(const DescribedGroup& group, const DensityPoreMetrics& metrics, const AnalysisConfig& config);
+
+}  // namespace recoat

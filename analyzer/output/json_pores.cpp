@@ -1,0 +1,58 @@
+#include "analyzer/output/json_pores.hpp"
+
+#include <numbers>
+
+namespace recoat {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json to_json(const PoreSizes& sizes) {
+    return {{"count", sizes.count},
+            {"mean", sizes.mean},
+            {"median", sizes.median},
+            {"max", sizes.max},
+            {"group_number_fraction", sizes.group_number_fraction},
+            {"group_area_fraction", sizes.group_area_fraction},
+            {"sorted_sizes", sizes.sorted}};
+}
+
+Json to_json(const DensityPore& pore, double spacing) {
+    Json json = {{"cells", pore.cells},
+                 {"diameter", pore.diameter},
+                 {"percolates", pore.percolates},
+                 {"touches_x_edge", pore.touches_x_edge},
+                 {"x", pore.x},
+                 {"y", pore.y}};
+    if (!pore.shape) return json;
+    const PixelShape& shape = *pore.shape;
+    json["angle"] = shape.angle ? Json(*shape.angle) : Json(nullptr);
+    json["elongation"] = shape.elongation;
+    json["hull_area"] = shape.hull_area;
+    json["hull_perimeter"] = shape.hull_perimeter;
+    json["min_rect"] = {shape.rect_long, shape.rect_short};
+    json["bbox"] = {shape.extent_x, shape.extent_y};
+    json["solidity"] = pore.area(spacing) / shape.hull_area;
+    json["rectangularity"] = pore.area(spacing) / (shape.rect_long * shape.rect_short);
+    json["rect_aspect"] = shape.rect_long / shape.rect_short;
+    json["circularity"] = 4 * std::numbers::pi * pore.area(spacing) / (shape.hull_perimeter * shape.hull_perimeter);
+    return json;
+}
+
+}  // namespace
+
+Json json_density_pores(const std::vector<DensityPoreMetrics>& all, double spacing) {
+    Json result = Json::object();
+    for (const DensityPoreMetrics& metrics : all) {
+        Json json = to_json(metrics.sizes);
+        json["area_fraction"] = metrics.area_fraction;
+        json["angle_number_counts"] = metrics.angle_number_counts;
+        json["angle_cell_counts"] = metrics.angle_cell_counts;
+        json["pores"] = Json::array();
+        for (const DensityPore& pore : metrics.pores) json["pores"].push_back(to_json(pore, spacing));
+        result[std::to_string(static_cast<int>(metrics.connectivity))] = json;
+    }
+    return result;
+}
+
+}  // namespace recoat

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "analyzer/analysis.hpp"
+
+namespace recoat {
+
+/// Density pores: one object for each connectivity, "4" and "8".
+[[nodiscard]] nlohmann::ordered_json json_density_pores(const std::vector<DensityPoreMetrics>& metrics, double spacing);
+
+}  // namespace recoat
