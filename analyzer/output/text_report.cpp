@@ -23,6 +23,27 @@ Json extent(const Source& source, Value value) {
     return {low, high};
 }
 
+/// Mean of a value over the particles; null without particles.
+template <class Value>
+Json mean(const Source& source, Value value) {
+    if (source.position.empty()) return nullptr;
+    double sum = 0;
+    for (std::size_t i = 0; i < source.position.size(); ++i) sum += value(i);
+    return sum / static_cast<double>(source.position.size());
+}
+
+/// The box of the file, its periodic directions marked.
+void add_box(Json& json, const Source& source) {
+    if (!source.box) return;
+    const Vec3 low = source.box->lower, high = source.box->upper;
+    json["box x [m]"] = {low.x, high.x};
+    json["box y [m]"] = {low.y, high.y};
+    json["box z [m]"] = {low.z, high.z};
+    std::string periodic;
+    for (std::size_t a = 0; a < 3; ++a) periodic += source.box->periodic[a] ? std::string(1, "xyz"[a]) : "";
+    json["periodic"] = periodic.empty() ? Json(nullptr) : Json(periodic);
+}
+
 Json known_or_null(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
 
 Json description(const Source& source, const std::string& file) {
@@ -31,7 +52,11 @@ Json description(const Source& source, const std::string& file) {
     json["x [m]"] = extent(source, [&](std::size_t i) { return p[i].x; });
     json["y [m]"] = extent(source, [&](std::size_t i) { return p[i].y; });
     json["z [m]"] = extent(source, [&](std::size_t i) { return p[i].z; });
+    json["mean x [m]"] = mean(source, [&](std::size_t i) { return p[i].x; });
+    json["mean y [m]"] = mean(source, [&](std::size_t i) { return p[i].y; });
+    json["mean z [m]"] = mean(source, [&](std::size_t i) { return p[i].z; });
     json["radius [m]"] = extent(source, [&](std::size_t i) { return source.radius[i]; });
+    add_box(json, source);
     json["d_p [m]"] = known_or_null(source.info.particle_diameter);
     json["density [kg/m3]"] = known_or_null(source.info.density);
     json["h_b [m]"] = known_or_null(source.info.clearance);

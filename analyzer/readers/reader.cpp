@@ -9,16 +9,18 @@
 #include "analyzer/readers/csv.hpp"
 #include "analyzer/readers/lammps_data.hpp"
 #include "analyzer/readers/lammps_dump.hpp"
+#include "analyzer/readers/legacy_vtk.hpp"
 #include "analyzer/readers/mercury_data.hpp"
 #include "analyzer/readers/recoat_state.hpp"
+#include "analyzer/readers/vtk_xml.hpp"
 #include "analyzer/readers/yade_text.hpp"
 #include "common/error.hpp"
 
 namespace recoat {
 namespace {
 
-constexpr std::array all_readers = {recoat_state_reader, lammps_dump_reader,  lammps_data_reader,
-                                    yade_text_reader,    mercury_data_reader, csv_reader};
+constexpr std::array all_readers = {recoat_state_reader, lammps_dump_reader, lammps_data_reader, yade_text_reader,
+                                    mercury_data_reader, legacy_vtk_reader,  vtk_xml_reader,     csv_reader};
 
 }  // namespace
 

@@ -1,0 +1,79 @@
+#include "analyzer/readers/vtk_types.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+
+namespace recoat {
+namespace {
+
+struct NamedType {
+    std::string_view name;
+    NumberType type;
+};
+using enum NumberType::Kind;
+constexpr std::array<NamedType, 26> types = {{
+    {"float", {real, 4}},
+    {"double", {real, 8}},
+    {"char", {whole, 1}},
+    {"signed_char", {whole, 1}},
+    {"unsigned_char", {natural, 1}},
+    {"short", {whole, 2}},
+    {"unsigned_short", {natural, 2}},
+    {"int", {whole, 4}},
+    {"unsigned_int", {natural, 4}},
+    {"long", {whole, 8}},
+    {"unsigned_long", {natural, 8}},
+    {"vtkidtype", {whole, 4}},
+    {"vtktypeint64", {whole, 8}},
+    {"vtktypeuint64", {natural, 8}},
+    {"long_long", {whole, 8}},
+    {"unsigned_long_long", {natural, 8}},
+    {"Float32", {real, 4}},
+    {"Float64", {real, 8}},
+    {"Int8", {whole, 1}},
+    {"UInt8", {natural, 1}},
+    {"Int16", {whole, 2}},
+    {"UInt16", {natural, 2}},
+    {"Int32", {whole, 4}},
+    {"UInt32", {natural, 4}},
+    {"Int64", {whole, 8}},
+    {"UInt64", {natural, 8}},
+}};
+
+double number_from(std::uint64_t bits, NumberType type) {
+    if (type.kind == natural) return static_cast<double>(bits);
+    if (type.kind == real) {
+        if (type.size == 4) return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
+        return std::bit_cast<double>(bits);
+    }
+    const auto shift = 64 - 8 * type.size;  // brings the sign to the top and back
+    return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
+}
+
+}  // namespace
+
+std::optional<NumberType> vtk_type(std::string_view name) {
+    const auto found = std::ranges::find(types, name, &NamedType::name);
+    if (found == types.end()) return {};
+    return found->type;
+}
+
+std::uint64_t natural_from(std::string_view bytes, bool big_endian) {
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const std::size_t place = big_endian ? i : bytes.size() - 1 - i;
+        value = (value << 8) | static_cast<unsigned char>(bytes[place]);
+    }
+    return value;
+}
+
+std::vector<double> numbers_from(std::string_view bytes, NumberType type, bool big_endian) {
+    std::vector<double> values(bytes.size() / type.size);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = number_from(natural_from(bytes.substr(i * type.size, type.size), big_endian), type);
+    }
+    return values;
+}
+
+}  // namespace recoat

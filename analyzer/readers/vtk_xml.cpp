@@ -1,0 +1,111 @@
+#include "analyzer/readers/vtk_xml.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "analyzer/readers/text_cursor.hpp"
+#include "analyzer/readers/vtk_array.hpp"
+#include "analyzer/readers/vtk_points.hpp"
+#include "analyzer/readers/xml_tree.hpp"
+#include "common/error.hpp"
+#include "common/number.hpp"
+
+namespace recoat {
+namespace {
+
+constexpr std::string_view end_tag = "</VTKFile>";
+
+class XmlReader {
+public:
+    XmlReader(const Content& content, const ColumnNames& chosen) : file_(content.name()), chosen_(chosen) {
+        document_ = parse_xml(content.bytes, file_, "AppendedData");
+        const bool whole = trimmed(std::string_view(content.bytes)).ends_with(end_tag);
+        if (document_.root.name != "VTKFile" || !whole) {
+            throw InputError(
+                fmt::format("{}: the file does not go from <VTKFile> to </VTKFile>; copy it again from where it was "
+                            "made",
+                            file_));
+        }
+        encoding_ = array_encoding(document_, file_);
+    }
+
+    VtkPoints read() {
+        const std::string type = document_.root.attribute("type");
+        const XmlElement* grid = document_.root.child(type);
+        if ((type != "PolyData" && type != "UnstructuredGrid") || grid == nullptr) {
+            fail(document_.root, fmt::format("the data set is of the kind \"{}\", which holds no particles; give "
+                                             "PolyData or UnstructuredGrid",
+                                             quotable(type)));
+        }
+        for (const XmlElement& piece : grid->children) {
+            if (piece.name == "Piece") read_piece(piece);
+        }
+        return std::move(points_);
+    }
+
+private:
+    void read_piece(const XmlElement& piece) {
+        const auto count = parse_integer(piece.attribute("NumberOfPoints"));
+        if (!count || *count < 0) fail(piece, "the piece does not say its NumberOfPoints; copy the file again");
+        const auto size = static_cast<std::size_t>(*count);
+        if (size == 0) return;
+        const XmlElement* points = piece.child("Points");
+        const XmlElement* array = points == nullptr ? nullptr : points->child("DataArray");
+        if (array == nullptr) fail(piece, "the piece has no Points; copy the file again");
+        const std::vector<double> flat = read_array(*array, size, 3, encoding_, file_);
+        for (std::size_t i = 0; i < size; ++i) {
+            points_.position.push_back({flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]});
+        }
+        if (const XmlElement* data = piece.child("PointData")) read_point_data(*data, size);
+        check_arrays(piece);
+    }
+
+    void read_point_data(const XmlElement& data, std::size_t count) {
+        for (const XmlElement& array : data.children) {
+            const std::string name = lower_case(array.attribute("Name"));
+            const bool single = array.attribute("NumberOfComponents", "1") == "1";
+            if (array.name != "DataArray" || !single || !VtkPoints::wanted(name, chosen_)) continue;
+            const std::vector<double> values = read_array(array, count, 1, encoding_, file_);
+            auto found = std::ranges::find(points_.names, name);
+            if (found == points_.names.end()) {
+                points_.names.push_back(name);
+                points_.arrays.emplace_back();
+                found = points_.names.end() - 1;
+            }
+            auto& whole = points_.arrays[static_cast<std::size_t>(found - points_.names.begin())];
+            whole.insert(whole.end(), values.begin(), values.end());
+        }
+    }
+
+    void check_arrays(const XmlElement& piece) const {
+        for (std::size_t i = 0; i < points_.names.size(); ++i) {
+            if (points_.arrays[i].size() == points_.position.size()) continue;
+            fail(piece,
+                 fmt::format("the array \"{}\" is not there once in every piece; give pieces with the same arrays",
+                             quotable(points_.names[i])));
+        }
+    }
+
+    [[noreturn]] void fail(const XmlElement& element, const std::string& problem) const {
+        throw InputError(fmt::format("{}:{}: {}", file_, element.line, problem));
+    }
+
+    std::string file_;
+    const ColumnNames& chosen_;
+    XmlDocument document_;
+    ArrayEncoding encoding_;
+    VtkPoints points_;
+};
+
+}  // namespace
+
+bool is_vtk_xml(const Content& content) {
+    return trimmed(content.head()).starts_with('<') && content.head().find("<VTKFile") != std::string_view::npos;
+}
+
+Source read_vtk_xml(const Content& content, const ReadOptions& options) {
+    return particles_from(XmlReader(content, options.columns).read(), options.columns, content.name());
+}
+
+}  // namespace recoat
