@@ -37,6 +37,7 @@ Analysis analyse(Layer layer, const AnalysisConfig& config) {
         result.density_pores.push_back(
             density_pore_metrics(result.packing.exact, result.layer.grid, config, connectivity));
     }
+    result.chamber_pores = chamber_pore_metrics(result.layer, config);
     for (const int n : config.voxels_per_dp) result.voxel.push_back(voxel_metrics(result, config, n));
     return result;
 }

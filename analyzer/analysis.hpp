@@ -10,6 +10,7 @@
 #include "analyzer/fields/packing_map.hpp"
 #include "analyzer/fields/voxel_maps.hpp"
 #include "analyzer/metrics/box_stats.hpp"
+#include "analyzer/metrics/chamber_pores.hpp"
 #include "analyzer/metrics/cluster_sizes.hpp"
 #include "analyzer/metrics/coordination.hpp"
 #include "analyzer/metrics/density_pores.hpp"
@@ -45,6 +46,7 @@ struct Analysis {
     Map height_map;
     HeightMetrics height;
     std::vector<DensityPoreMetrics> density_pores;  ///< by 4-neighbours and by 8-neighbours
+    ChamberPoreMetrics chamber_pores;
     TotalsMetrics totals;
     std::vector<VoxelMetrics> voxel;
 };

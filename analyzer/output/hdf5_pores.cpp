@@ -61,6 +61,21 @@ void write_pores(const DescribedGroup& group, const std::vector<DensityPore>& po
     write_shapes(group, pores);
 }
 
+void write_chambers(const DescribedGroup& group, const ChamberPores& pores, const AnalysisConfig& config) {
+    write_sizes(group, pores.sizes);
+    const double d = config.particle_diameter;
+    std::vector<double> x, y, diameter;
+    for (const Circle& circle : pores.circles) {
+        x.push_back(config.x_begin + d * circle.x);
+        y.push_back(config.y_min + d * circle.y);
+        diameter.push_back(2 * circle.radius);
+    }
+    const DescribedGroup circles = group.group("circles");
+    circles.column("x", "m", "centre along x", x);
+    circles.column("y", "m", "centre along y, in one period from y_min", y);
+    circles.column("diameter", "d_p", "diameter", diameter);
+}
+
 }  // namespace
 
 void write_density_pores(const DescribedGroup& group, const DensityPoreMetrics& metrics, const AnalysisConfig& config) {
@@ -70,6 +85,20 @@ void write_density_pores(const DescribedGroup& group, const DensityPoreMetrics& 
                  metrics.angle_number_counts);
     group.column("angle_cell_counts", "1", "cells of these pores", metrics.angle_cell_counts);
     write_pores(group.group("pores"), metrics.pores, config);
+}
+
+void write_chamber_pores(const DescribedGroup& group, const ChamberPoreMetrics& metrics, const AnalysisConfig& config) {
+    write_chambers(group.group("L"), metrics.all, config);
+    const DescribedGroup separate = group.group("A");
+    write_chambers(separate, metrics.separate, config);
+    separate.value("n_beyond_data", "1", "circles that reach past the outermost particle centres along x",
+                   metrics.n_beyond_data);
+    write_chambers(group.group("B"), metrics.disjoint, config);
+    if (!metrics.persistent) return;
+    const DescribedGroup persistent = group.group("P");
+    write_chambers(persistent, *metrics.persistent, config);
+    persistent.column("persistence", "d_p", "fall of the gap on the best way to a larger circle",
+                      metrics.persistent->persistence);
 }
 
 }  // namespace recoat

@@ -8,4 +8,7 @@ namespace recoat {
 /// Writes the density pores of one connectivity into a group: their size distribution and a table with one row each.
 void write_density_pores(const DescribedGroup& group, const DensityPoreMetrics& metrics, const AnalysisConfig& config);
 
+/// Writes the chamber pores of every rule, a group each: the size distribution and a table of the circles.
+void write_chamber_pores(const DescribedGroup& group, const ChamberPoreMetrics& metrics, const AnalysisConfig& config);
+
 }  // namespace recoat

@@ -193,6 +193,7 @@ void write_groups(const hdf5::Group& file, const Analysis& analysis, const Analy
     write_box_stats(group("phi_centre"), analysis.phi_centre);
     write_height(group("height"), analysis.height);
     write_totals(group("totals"), analysis.totals);
+    write_chamber_pores(group("chamber_pores"), analysis.chamber_pores, config);
     const DescribedGroup density_pores = group("density_pores");
     for (const DensityPoreMetrics& metrics : analysis.density_pores) {
         write_density_pores(density_pores.group(std::to_string(static_cast<int>(metrics.connectivity))), metrics,

@@ -39,6 +39,18 @@ Json to_json(const DensityPore& pore, double spacing) {
     return json;
 }
 
+/// Rows of x, y, diameter and, where it is measured, persistence.
+Json rows(const ChamberPores& pores) {
+    Json json = Json::array();
+    for (std::size_t i = 0; i < pores.circles.size(); ++i) {
+        const Circle& circle = pores.circles[i];
+        Json row = {circle.x, circle.y, 2 * circle.radius};
+        if (!pores.persistence.empty()) row.push_back(pores.persistence[i]);
+        json.push_back(row);
+    }
+    return json;
+}
+
 }  // namespace
 
 Json json_density_pores(const std::vector<DensityPoreMetrics>& all, double spacing) {
@@ -53,6 +65,18 @@ Json json_density_pores(const std::vector<DensityPoreMetrics>& all, double spaci
         result[std::to_string(static_cast<int>(metrics.connectivity))] = json;
     }
     return result;
+}
+
+Json json_chamber_pores(const ChamberPoreMetrics& metrics) {
+    Json all = to_json(metrics.all.sizes), separate = to_json(metrics.separate.sizes);
+    separate["n_beyond_data"] = metrics.n_beyond_data;
+    separate["circles_x_y_d"] = rows(metrics.separate);
+    Json json = {{"L", all}, {"A", separate}, {"B", to_json(metrics.disjoint.sizes)}};
+    if (metrics.persistent) {
+        json["P"] = to_json(metrics.persistent->sizes);
+        json["P"]["circles_x_y_d_persistence"] = rows(*metrics.persistent);
+    }
+    return json;
 }
 
 }  // namespace recoat

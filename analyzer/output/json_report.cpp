@@ -162,6 +162,7 @@ Json json_report(const Analysis& analysis, const AnalysisConfig& config) {
             {"phi_centre", to_json(analysis.phi_centre)},
             {"height", to_json(analysis.height)},
             {"totals", to_json(analysis.totals)},
+            {"chamber_pores", json_chamber_pores(analysis.chamber_pores)},
             {"density_pores", json_density_pores(analysis.density_pores, config.grid)},
             {"voxel", to_json(analysis.voxel)},
             {"maps",

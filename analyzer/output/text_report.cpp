@@ -103,6 +103,14 @@ std::string text_summary(const Analysis& analysis, const AnalysisConfig& config)
     text += fmt::format("coordination       mean {:.4f}\n", analysis.coordination.cn_mean);
     text += fmt::format("clusters           {} of two particles or more, largest {}\n",
                         analysis.cluster_sizes.n_clusters, analysis.cluster_sizes.max_cluster_size);
+    for (const DensityPoreMetrics& pores : analysis.density_pores) {
+        text += fmt::format("density pores      {} by {} neighbours, median {:.4f} d_p, area fraction {:.4f}\n",
+                            pores.sizes.count, static_cast<int>(pores.connectivity), pores.sizes.median,
+                            pores.area_fraction);
+    }
+    const PoreSizes& chambers = analysis.chamber_pores.separate.sizes;
+    text += fmt::format("chamber pores      {} by rule A, median {:.4f} d_p, largest {:.4f} d_p\n", chambers.count,
+                        chambers.median, chambers.max);
     for (const VoxelMetrics& voxel : analysis.voxel) {
         text += fmt::format(
             "voxels {:4} per d_p  packing density within {:.2g} (rms {:.2g}), height within {:.2g} d_p of the exact "

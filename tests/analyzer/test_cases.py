@@ -54,6 +54,10 @@ def test_comparison_sees_wrong_values(case):
     assert found(clusters={k: v for k, v in clusters.items() if k != "cn_mean"}) == {"/clusters/cn_mean"}
     assert found(more=1) == {"/more"}
     assert found(maps={**report["maps"], "height": report["maps"]["height"][:-1]}) == {"/maps/height"}
+    chambers = report["chamber_pores"]
+    sizes = chambers["A"]["sorted_sizes"]
+    assert found(chamber_pores={**chambers, "A": {**chambers["A"], "mean": chambers["A"]["mean"] * (1 + 3e-6) + 3e-6}}) == {"/chamber_pores/A/mean"}
+    assert "/chamber_pores/A/sorted_sizes" in found(chamber_pores={**chambers, "A": {**chambers["A"], "sorted_sizes": [*sizes, 7, 8, 9]}})
     rows = [[value + 2e-6 for value in row] for row in report["maps"]["phi_exact"]]
     assert len(found(maps={**report["maps"], "phi_exact": rows})) == sum(len(row) for row in rows)
 
@@ -71,6 +75,17 @@ def test_hdf5_holds_the_same_values(case):
         assert file["height/Ra"][0] == report["height"]["Ra"]
         assert file["totals/layer_phi"][0] == report["totals"]["layer_phi"]
         assert file["voxel/20/phi_max_error"][0] == report["voxel"]["20"]["phi_max_error"]
+        for rule, pores in report["chamber_pores"].items():
+            np.testing.assert_array_equal(file["chamber_pores"][rule]["sorted_sizes"][:], pores["sorted_sizes"])
+        circles = np.array(report["chamber_pores"]["A"]["circles_x_y_d"]).reshape(-1, 3)
+        d, x0 = report["config"]["d_p"], report["config"]["x_range"][0]
+        np.testing.assert_allclose(file["chamber_pores/A/circles/x"][:], x0 + d * circles[:, 0], rtol=1e-12, atol=1e-18)
+        np.testing.assert_array_equal(file["chamber_pores/A/circles/diameter"][:], circles[:, 2])
+        for connectivity, pores in report["density_pores"].items():
+            table = file["density_pores"][connectivity]["pores"]
+            np.testing.assert_array_equal(table["cells"][:], np.array([p["cells"] for p in pores["pores"]], dtype=int))
+            angles = [p.get("angle") for p in pores["pores"]]
+            np.testing.assert_array_equal(table["angle"][:], [np.nan if a is None else a for a in angles])
         assert file["config"].attrs["d_p"] == report["config"]["d_p"]
         assert json.loads(file["config"].attrs["x_range"]) == report["config"]["x_range"]
 

@@ -1,0 +1,70 @@
+#include "analyzer/fields/top_view.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "analyzer/fields/coincidence.hpp"
+
+namespace recoat {
+namespace {
+
+constexpr double equal_radii_tolerance = 1e-9;
+
+/// Step of the coordinates: the largest of them, and copies of it, keep all their bits.
+double coordinate_step(const Layer& layer) {
+    double largest = 4 * layer.width;
+    for (const double x : layer.x) largest = std::max(largest, std::abs(x));
+    constexpr int bits = 51;
+    return std::ldexp(1.0, std::ilogb(largest) + 1 - bits);
+}
+
+}  // namespace
+
+bool comes_first(const Circle& a, const Circle& b) {
+    constexpr double step = 1e-9;
+    const auto key = [](const Circle& circle) {
+        return std::tuple(-std::llround(circle.radius / step), std::llround(circle.x / step),
+                          std::llround(circle.y / step));
+    };
+    return key(a) < key(b);
+}
+
+TopView top_view(const Layer& layer) {
+    TopView view;
+    const double step = coordinate_step(layer);
+    const auto rounded = [&](double value) { return std::nearbyint(value / step) * step; };
+    view.period = rounded(layer.width);
+    std::vector<PlanePoint> centres(layer.size());
+    for (std::size_t i = 0; i < layer.size(); ++i) {
+        const double y = rounded(layer.y[i]);
+        centres[i] = {rounded(layer.x[i]), y < view.period ? y : y - view.period};
+    }
+    const std::vector<std::size_t> first = first_coincident(centres, view.period, coincidence_tolerance);
+    std::vector<double> radius(layer.size(), 0);
+    for (std::size_t i = 0; i < layer.size(); ++i) radius[first[i]] = std::max(radius[first[i]], layer.radius[i]);
+    for (std::size_t i = 0; i < layer.size(); ++i) {
+        if (first[i] == i) view.disks.push_back({centres[i].x, centres[i].y, radius[i], view.disks.size(), 0});
+    }
+    if (!view.disks.empty()) {
+        const auto [low, high] = std::ranges::minmax(layer.radius);
+        view.equal_radii = high - low <= equal_radii_tolerance;
+    }
+    return view;
+}
+
+std::vector<Disk> TopView::tiled(double margin) const {
+    std::vector<Disk> copies = disks;
+    const int turns = static_cast<int>(std::ceil(margin / period)) + 1;
+    for (int turn = -turns; turn <= turns; ++turn) {
+        if (turn == 0) continue;
+        for (Disk copy : disks) {
+            copy.y += turn * period;
+            copy.turn = turn;
+            if (copy.y >= -margin && copy.y <= period + margin) copies.push_back(copy);
+        }
+    }
+    return copies;
+}
+
+}  // namespace recoat

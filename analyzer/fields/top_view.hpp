@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "analyzer/fields/layer.hpp"
+
+namespace recoat {
+
+/// A disk of the top view, or a copy of it `turn` periods along y [d_p].
+struct Disk {
+    double x = 0, y = 0, radius = 0;
+    std::size_t index = 0;  ///< of the disk in the top view
+    int turn = 0;
+};
+
+/// A circle of the top view [d_p]; y in one period.
+struct Circle {
+    double x = 0, y = 0, radius = 0;
+};
+
+/// Order of circles: from large to small, then by x and y; differences that round-off makes do not count.
+[[nodiscard]] bool comes_first(const Circle& a, const Circle& b);
+
+/// The disks of a layer seen from above, whatever their height. Of disks with the same centre the largest stands for
+/// all.
+///
+/// Coordinates and period are rounded to multiples of one power of two (about 1e-12 d_p), so that copies of disks are
+/// exact translations and predicates on them give the same answers.
+struct TopView {
+    std::vector<Disk> disks;
+    double period = 0;
+    bool equal_radii = true;  ///< within 1e-9 d_p
+
+    /// All disks, and the copies of them within `margin` of the period [0, period].
+    [[nodiscard]] std::vector<Disk> tiled(double margin) const;
+};
+
+[[nodiscard]] TopView top_view(const Layer& layer);
+
+/// Distance within which centres, and circles, count as the same [d_p].
+inline constexpr double coincidence_tolerance = 1e-6;
+
+}  // namespace recoat
