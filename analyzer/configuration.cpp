@@ -46,6 +46,40 @@ double degrees_or(const Config& config, std::string_view key, double fallback, R
     return value;
 }
 
+/// The extent of the particles, one diameter in from its ends, shortened to whole cells.
+void region_of_particles(const Config& config, const SourceInfo& info, AnalysisConfig& result) {
+    const double d = result.particle_diameter, cell = result.grid * d;
+    const double cells = std::floor((info.x_upper - info.x_lower - 2 * d) / cell + alignment);
+    if (!(cells >= 1)) {
+        config.fail("x_range", fmt::format("the particles lie between x = {:.6g} and {:.6g} m, too near for a region "
+                                           "to be found; give one (--region)",
+                                           info.x_lower, info.x_upper));
+    }
+    result.x_begin = info.x_lower + d;
+    result.x_end = result.x_begin + cells * cell;
+}
+
+/// What neither the configuration nor a file of another code says.
+void refuse_gaps(const Config& config, const SourceInfo& info) {
+    if (std::isnan(info.x_lower)) return;
+    if (!config.has("h_b") && std::isnan(info.clearance)) {
+        config.fail("h_b",
+                    "the file of particles does not say the clearance under the blade; give it in the "
+                    "configuration (--config), or here: --set h_b=75um");
+    }
+    if (!config.has("density") && std::isnan(info.density)) {
+        config.fail("density",
+                    "the file of particles does not say the density of the solid; give it in the "
+                    "configuration (--config), or here: --set density=4430");
+    }
+    if (!config.has("y_period") && std::isnan(info.y_period)) {
+        config.fail("y_period",
+                    fmt::format("the file of particles does not say that it is periodic along y, where it spans {:.9g} "
+                                "... {:.9g} m; give the period: --period y=LOWER,UPPER",
+                                info.y_lower, info.y_upper));
+    }
+}
+
 /// Region along x: given, or the way of the blade without its first and its last part [paper section 3], shortened to
 /// whole cells.
 void read_region(const Config& config, const SourceInfo& info, AnalysisConfig& result) {
@@ -60,6 +94,7 @@ void read_region(const Config& config, const SourceInfo& info, AnalysisConfig& r
         return;
     }
     if (std::isnan(info.blade_start) || std::isnan(info.spread_length)) {
+        if (!std::isnan(info.x_lower)) return region_of_particles(config, info, result);
         (void)config.quantities("x_range", Dimension::length, 2);
     }
     constexpr double paper_start = 100.0 / 500, paper_end = 10.0 / 500;
@@ -175,8 +210,10 @@ AnalysisConfig read_analysis_config(const Config& given, const SourceInfo& info)
     const auto positive = Range::positive();
     result.particle_diameter = own_or_stated(config, "d_p", Dimension::length, info.particle_diameter, positive);
     config.set_particle_diameter(result.particle_diameter);
+    refuse_gaps(config, info);
     result.density = own_or_stated(config, "density", Dimension::density, info.density, positive);
     result.clearance = own_or_stated(config, "h_b", Dimension::length, info.clearance, positive);
+    result.base = config.quantity_or("base", Dimension::length, std::isnan(info.base) ? 0 : info.base);
     result.y_min = own_or_stated(config, "y_min", Dimension::length, info.y_min);
     result.y_period = own_or_stated(config, "y_period", Dimension::length, info.y_period, positive);
     read_metrics(config, result);

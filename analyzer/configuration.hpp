@@ -23,6 +23,7 @@ struct AnalysisConfig {
     double particle_diameter = 0;    ///< d_p [m]
     double density = 0;              ///< of the solid [kg/m3]
     double clearance = 0;            ///< h_b, height of the blade above the base [m]
+    double base = 0;                 ///< z of the base [m]
     double x_begin = 0, x_end = 0;   ///< region [m]
     double y_min = 0, y_period = 0;  ///< periodic direction [m]
     bool crop_first = false;         ///< drop particles outside the region before anything else
@@ -44,8 +45,8 @@ struct AnalysisConfig {
     std::vector<int> voxels_per_dp = {10, 20};
 };
 
-/// Reads the analysis configuration. What the file of particles says of itself stands in for d_p, density, h_b, y_min,
-/// y_period and x_range where the configuration leaves them out.
+/// Reads the analysis configuration. What the file of particles says of itself, or shows, stands in for d_p, density,
+/// h_b, base, y_min, y_period and x_range where the configuration leaves them out.
 /// @throws InputError naming the key when something is missing, unknown, out of range or does not fit together.
 [[nodiscard]] AnalysisConfig read_analysis_config(const Config& config, const SourceInfo& info);
 

@@ -93,6 +93,8 @@ std::string text_summary(const Analysis& analysis, const AnalysisConfig& config)
     std::string text =
         fmt::format("region             x = {:.9g} ... {:.9g} m ({:.6g} d_p), y period {:.9g} m ({:.6g} d_p)\n",
                     config.x_begin, config.x_end, (config.x_end - config.x_begin) / d, config.y_period, layer.width);
+    text += fmt::format("frame              d_p {:.6g} m, h_b {:.6g} m, base z = {:.6g} m, y from {:.9g} m\n", d,
+                        config.clearance, config.base, config.y_min);
     text += fmt::format("particles          {} in the region, {} in the file\n", analysis.coordination.n_particles,
                         layer.size());
     text += fmt::format("packing density    median {:.4f}, IQR/median {}, layer {:.4f}\n", phi.median,

@@ -126,6 +126,12 @@ private:
             one_density = one_density && (i == 0 || own == density);
             density = own;
         }
+        if (cursor_.next_filled() && !is_heading(cursor_.line())) {
+            cursor_.fail(
+                fmt::format("the section Atoms goes on after {} atoms, all that the head announces; make them "
+                            "agree",
+                            count_));
+        }
         if (bounds_ == 3) source_.box = box_;
         if (style_ != nullptr) source_.facts.emplace_back("atom style", style_->name);
         if (one_density && density > 0 && si_) source_.info.density = density;

@@ -114,6 +114,7 @@ Source read_lammps_dump(const Content& content, const ReadOptions& options) {
     }
     const std::size_t chosen = choose_step(steps, options.step, content.name());
     Source source = AtomReader(snapshots[chosen], places[chosen], options.columns).read();
+    source.step = steps[chosen];
     source.facts = {{"snapshots", std::to_string(steps.size())},
                     {"steps", fmt::format("{} ... {}", steps.front(), steps.back())},
                     {"step", std::to_string(steps[chosen])},

@@ -30,6 +30,7 @@ Source read_recoat_state(const Content& content, const ReadOptions& options) {
     source.position = std::move(state.position);
     source.radius = std::move(state.radius);
     source.id = std::move(state.id);
+    source.step = state.step;
     source.own_unit = 1.0;
     source.info = {.particle_diameter = info.diameter,
                    .density = info.density,
@@ -38,7 +39,7 @@ Source read_recoat_state(const Content& content, const ReadOptions& options) {
                    .y_period = info.y_period,
                    .blade_start = info.blade_start,
                    .spread_length = info.spread_length,
-                   .base = 0};
+                   .base = info.stage == converted_stage ? SourceInfo::unknown : 0};
     source.facts = {{"states", std::to_string(count_steps(content.file))},
                     {"step", std::to_string(state.step)},
                     {"time [s]", fmt::format("{:.9g}", state.time)},

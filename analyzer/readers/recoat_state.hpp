@@ -4,6 +4,9 @@
 
 namespace recoat {
 
+/// Stage of a state that was made of another code's file: its base may lie anywhere.
+inline constexpr const char* converted_stage = "converted";
+
 /// Whether the file is HDF5 with the group of recoat-solve.
 bool is_recoat_state(const Content& content);
 

@@ -25,6 +25,8 @@ struct SourceInfo {
     double base = unknown;           ///< z of the base
     double x_lower = unknown;        ///< smallest and largest x of the centres
     double x_upper = unknown;
+    double y_lower = unknown;  ///< bounds along y, periodic or not
+    double y_upper = unknown;
 };
 
 /// The box of a simulation, in the unit of the positions.
@@ -43,6 +45,7 @@ struct Source {
     std::vector<std::size_t> line;   ///< [N] lines of a text file, or empty
     std::optional<Box> box;          ///< where the file has one
     std::optional<double> own_unit;  ///< unit of length [m] where the file has one
+    std::int64_t step = 0;           ///< number of the time step, 0 where the file has none
     SourceInfo info;
     std::vector<std::pair<std::string, std::string>> facts;  ///< further things the file says: name and value
 };

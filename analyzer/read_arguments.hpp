@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analyzer/readers/source.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace recoat {
+
+/// Options of every command that reads particles, as texts.
+struct ReadArguments {
+    std::string length_unit, radius, radius_column, diameter_column, step = "last";
+};
+
+/// Options that say where a layer lies, as texts.
+struct FrameArguments {
+    std::string region, base, period;
+};
+
+void add_read_arguments(CLI::App& command, ReadArguments& arguments);
+void add_frame_arguments(CLI::App& command, FrameArguments& arguments);
+
+/// What the options mean; `columns` are names that the configuration gives. Throws InputError naming the option.
+[[nodiscard]] ReadOptions read_options(const ReadArguments& arguments, ColumnNames columns = {});
+
+/// The options as settings "key=value" of the configuration. Throws InputError naming the option.
+[[nodiscard]] std::vector<std::string> frame_settings(const FrameArguments& arguments);
+
+}  // namespace recoat
