@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <fstream>
 
 #include <gtest/gtest.h>
@@ -61,6 +62,36 @@ TEST_F(Csv, ColumnsByChosenNames) {
         read("px,y,z,radius,size\n1,2,3,7,0.5\n", {.x = "PX", .y = {}, .z = {}, .radius = {}, .diameter = "size"});
     EXPECT_EQ(source.position[0], (Vec3{1, 2, 3}));
     EXPECT_EQ(source.radius[0], 0.25);
+}
+
+TEST_F(Csv, UsualNamesOfOtherPrograms) {
+    for (const std::string header : {"pos_x,pos_y,pos_z,radii", "\"Points:0\",\"Points:1\",\"Points:2\",Radius",
+                                     "Position_X|position_y|Position_Z|r"}) {
+        const char separator = header.find('|') == std::string::npos ? ',' : '|';
+        std::string text = header + "\n1,2,3,0.5\n";
+        std::ranges::replace(text, ',', separator);
+        const Source source = read(text);
+        EXPECT_EQ(source.position[0], (Vec3{1, 2, 3})) << header;
+        EXPECT_EQ(source.radius[0], 0.5) << header;
+    }
+}
+
+TEST_F(Csv, UnitsInTheHeader) {
+    for (const std::string text :
+         {"x [um],y (mm),z,diameter[nm]\n1,2,3,4\n", "x [um] y (mm) z diameter [nm]\n1 2 3 4\n"}) {
+        const Source source = read(text);
+        EXPECT_NEAR(source.position[0].x, 1e-6, 1e-20) << text;
+        EXPECT_NEAR(source.position[0].y, 2e-3, 1e-17) << text;
+        EXPECT_EQ(source.position[0].z, 3) << text;
+        EXPECT_NEAR(source.radius[0], 2e-9, 1e-23) << text;
+    }
+}
+
+TEST_F(Csv, Identities) {
+    EXPECT_EQ(read("id,x,y,z,r\n7,1,2,3,1\n9.0,1,2,3,1\n").id, (std::vector<std::int64_t>{7, 9}));
+    EXPECT_TRUE(begins(error("id,x,y,z,r\n7,1,2,3,1\n8,1,2,3,1\n7,1,2,3,1\n"),
+                       "table.csv:4: the id 7 has been given to another particle already (line 2)"));
+    EXPECT_TRUE(begins(error("id,x,y,z,r\n7.5,1,2,3,1\n"), "table.csv:2: column 1 (id): \"7.5\": this is no whole"));
 }
 
 TEST_F(Csv, ATableWithoutLinesHasNoParticles) { EXPECT_TRUE(read("x,y,z,radius\n").position.empty()); }
