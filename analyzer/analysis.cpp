@@ -1,5 +1,7 @@
 #include "analyzer/analysis.hpp"
 
+#include <algorithm>
+
 #include "analyzer/fields/height_map.hpp"
 
 namespace recoat {
@@ -13,6 +15,12 @@ VoxelMetrics voxel_metrics(const Analysis& exact, const AnalysisConfig& config, 
     metrics.phi_error = map_error(metrics.maps.phi, exact.packing.exact);
     metrics.height = height_metrics(metrics.maps.height, config.height_bin, config.bin_tol);
     metrics.height_error = map_error(metrics.maps.height, exact.height_map);
+    for (const GridPore& pore :
+         grid_pores(metrics.maps.phi, config.density_threshold, GridConnectivity::sides_and_corners)) {
+        metrics.density_pore_cells.push_back(pore.cells.size());
+    }
+    std::ranges::sort(metrics.density_pore_cells);
+    metrics.chambers = pixel_chamber_sizes(exact.layer, config, voxels_per_dp);
     return metrics;
 }
 

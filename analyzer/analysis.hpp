@@ -17,6 +17,7 @@
 #include "analyzer/metrics/height.hpp"
 #include "analyzer/metrics/orientation.hpp"
 #include "analyzer/metrics/packing.hpp"
+#include "analyzer/metrics/pixel_chambers.hpp"
 #include "analyzer/metrics/totals.hpp"
 #include "analyzer/metrics/vertical.hpp"
 
@@ -30,6 +31,8 @@ struct VoxelMetrics {
     MapError phi_error;
     HeightMetrics height;
     MapError height_error;
+    std::vector<std::size_t> density_pore_cells;  ///< of the pores by 8 neighbours, ascending
+    PoreSizes chambers;                           ///< pixel form of rule P
 };
 
 /// Everything that is measured of a layer. Lengths in d_p unless a name says otherwise.

@@ -8,19 +8,6 @@ namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
-void write_sizes(const DescribedGroup& group, const PoreSizes& sizes) {
-    group.value("count", "1", "number of pores", sizes.count);
-    group.value("mean", "d_p", "mean diameter", sizes.mean);
-    group.value("median", "d_p", "median diameter", sizes.median);
-    group.value("max", "d_p", "largest diameter", sizes.max);
-    const auto column = [](const auto& array) { return std::vector<double>(array.begin(), array.end()); };
-    group.column("group_number_fraction", "1", "share of the pores with a diameter in 0-1, 1-2, 2-3, 3-4, 4-5, 5- d_p",
-                 column(sizes.group_number_fraction));
-    group.column("group_area_fraction", "1", "the same weighted with the squared diameters",
-                 column(sizes.group_area_fraction));
-    group.column("sorted_sizes", "d_p", "all diameters, ascending", sizes.sorted);
-}
-
 void write_shapes(const DescribedGroup& group, const std::vector<DensityPore>& pores) {
     const auto column = [&](const char* name, const char* unit, const char* definition, auto value) {
         std::vector<double> values;
@@ -62,7 +49,7 @@ void write_pores(const DescribedGroup& group, const std::vector<DensityPore>& po
 }
 
 void write_chambers(const DescribedGroup& group, const ChamberPores& pores, const AnalysisConfig& config) {
-    write_sizes(group, pores.sizes);
+    write_pore_sizes(group, pores.sizes);
     const double d = config.particle_diameter;
     std::vector<double> x, y, diameter;
     for (const Circle& circle : pores.circles) {
@@ -78,8 +65,21 @@ void write_chambers(const DescribedGroup& group, const ChamberPores& pores, cons
 
 }  // namespace
 
+void write_pore_sizes(const DescribedGroup& group, const PoreSizes& sizes) {
+    group.value("count", "1", "number of pores", sizes.count);
+    group.value("mean", "d_p", "mean diameter", sizes.mean);
+    group.value("median", "d_p", "median diameter", sizes.median);
+    group.value("max", "d_p", "largest diameter", sizes.max);
+    const auto column = [](const auto& array) { return std::vector<double>(array.begin(), array.end()); };
+    group.column("group_number_fraction", "1", "share of the pores with a diameter in 0-1, 1-2, 2-3, 3-4, 4-5, 5- d_p",
+                 column(sizes.group_number_fraction));
+    group.column("group_area_fraction", "1", "the same weighted with the squared diameters",
+                 column(sizes.group_area_fraction));
+    group.column("sorted_sizes", "d_p", "all diameters, ascending", sizes.sorted);
+}
+
 void write_density_pores(const DescribedGroup& group, const DensityPoreMetrics& metrics, const AnalysisConfig& config) {
-    write_sizes(group, metrics.sizes);
+    write_pore_sizes(group, metrics.sizes);
     group.value("area_fraction", "1", "cells in pores over all cells of the map", metrics.area_fraction);
     group.column("angle_number_counts", "1", "pores per bin of angle_bin of the angle to x",
                  metrics.angle_number_counts);

@@ -5,6 +5,9 @@
 
 namespace recoat {
 
+/// Writes the size distribution of pores into a group.
+void write_pore_sizes(const DescribedGroup& group, const PoreSizes& sizes);
+
 /// Writes the density pores of one connectivity into a group: their size distribution and a table with one row each.
 void write_density_pores(const DescribedGroup& group, const DensityPoreMetrics& metrics, const AnalysisConfig& config);
 

@@ -178,6 +178,9 @@ void write_voxel(const DescribedGroup& group, const VoxelMetrics& metrics) {
     group.value("phi_max_error", "1", "largest |voxel - exact| packing density of a node", metrics.phi_error.max);
     group.value("phi_rms_error", "1", "root mean square of voxel - exact packing density", metrics.phi_error.rms);
     group.value("height_max_error", "d_p", "largest |voxel - exact| height of a node", metrics.height_error.max);
+    group.column("density_pore_cells_8", "1", "cells of the density pores by 8 neighbours, ascending",
+                 metrics.density_pore_cells);
+    write_pore_sizes(group.group("chamber_P"), metrics.chambers);
 }
 
 void write_groups(const hdf5::Group& file, const Analysis& analysis, const AnalysisConfig& config) {

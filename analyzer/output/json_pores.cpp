@@ -7,16 +7,6 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const PoreSizes& sizes) {
-    return {{"count", sizes.count},
-            {"mean", sizes.mean},
-            {"median", sizes.median},
-            {"max", sizes.max},
-            {"group_number_fraction", sizes.group_number_fraction},
-            {"group_area_fraction", sizes.group_area_fraction},
-            {"sorted_sizes", sizes.sorted}};
-}
-
 Json to_json(const DensityPore& pore, double spacing) {
     Json json = {{"cells", pore.cells},
                  {"diameter", pore.diameter},
@@ -53,10 +43,20 @@ Json rows(const ChamberPores& pores) {
 
 }  // namespace
 
+Json json_pore_sizes(const PoreSizes& sizes) {
+    return {{"count", sizes.count},
+            {"mean", sizes.mean},
+            {"median", sizes.median},
+            {"max", sizes.max},
+            {"group_number_fraction", sizes.group_number_fraction},
+            {"group_area_fraction", sizes.group_area_fraction},
+            {"sorted_sizes", sizes.sorted}};
+}
+
 Json json_density_pores(const std::vector<DensityPoreMetrics>& all, double spacing) {
     Json result = Json::object();
     for (const DensityPoreMetrics& metrics : all) {
-        Json json = to_json(metrics.sizes);
+        Json json = json_pore_sizes(metrics.sizes);
         json["area_fraction"] = metrics.area_fraction;
         json["angle_number_counts"] = metrics.angle_number_counts;
         json["angle_cell_counts"] = metrics.angle_cell_counts;
@@ -68,12 +68,12 @@ Json json_density_pores(const std::vector<DensityPoreMetrics>& all, double spaci
 }
 
 Json json_chamber_pores(const ChamberPoreMetrics& metrics) {
-    Json all = to_json(metrics.all.sizes), separate = to_json(metrics.separate.sizes);
+    Json all = json_pore_sizes(metrics.all.sizes), separate = json_pore_sizes(metrics.separate.sizes);
     separate["n_beyond_data"] = metrics.n_beyond_data;
     separate["circles_x_y_d"] = rows(metrics.separate);
-    Json json = {{"L", all}, {"A", separate}, {"B", to_json(metrics.disjoint.sizes)}};
+    Json json = {{"L", all}, {"A", separate}, {"B", json_pore_sizes(metrics.disjoint.sizes)}};
     if (metrics.persistent) {
-        json["P"] = to_json(metrics.persistent->sizes);
+        json["P"] = json_pore_sizes(metrics.persistent->sizes);
         json["P"]["circles_x_y_d_persistence"] = rows(*metrics.persistent);
     }
     return json;

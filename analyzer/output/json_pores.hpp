@@ -6,6 +6,9 @@
 
 namespace recoat {
 
+/// Size distribution of pores.
+[[nodiscard]] nlohmann::ordered_json json_pore_sizes(const PoreSizes& sizes);
+
 /// Density pores: one object for each connectivity, "4" and "8".
 [[nodiscard]] nlohmann::ordered_json json_density_pores(const std::vector<DensityPoreMetrics>& metrics, double spacing);
 

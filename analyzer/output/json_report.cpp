@@ -99,8 +99,10 @@ Json to_json(const std::vector<VoxelMetrics>& voxel) {
         json[std::to_string(metrics.voxels_per_dp)] = {{"phi", to_json(metrics.phi)},
                                                        {"phi_max_error", metrics.phi_error.max},
                                                        {"phi_rms_error", metrics.phi_error.rms},
+                                                       {"density_pore_cells_8", metrics.density_pore_cells},
                                                        {"height", to_json(metrics.height)},
-                                                       {"height_max_error", metrics.height_error.max}};
+                                                       {"height_max_error", metrics.height_error.max},
+                                                       {"chamber_P", json_pore_sizes(metrics.chambers)}};
     }
     return json;
 }
