@@ -20,7 +20,8 @@ for ((k = 0; k < repeats; ++k)); do
     "$program" "$work/bed.csv" --warm $warm --steps "$steps" >>"$work/recoat"
     (cd "$work" && liggghts -in "$root/bench/peers/liggghts.in" -log none -var data bed.data -var warm $warm \
         -var steps "$steps" -var skin "$skin" >log 2>&1)
-    awk -v s="$steps" '/^Loop time of/ { t = $4; n = $(NF - 1) } END { print n * s / t }' "$work/log" >>"$work/liggghts"
+    awk -v s="$steps" '/^Loop time of/ { t = $4; for (i = 5; i < NF; ++i) if ($i == "with") n = $(i + 1) }
+        END { printf "%.6g\n", n * s / t }' "$work/log" >>"$work/liggghts"
 done
 python3 - "$work" "$out" "$steps" "$skin" <<'END'
 import datetime, json, pathlib, platform, statistics, subprocess, sys
