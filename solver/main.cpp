@@ -84,7 +84,8 @@ void add_commands(CLI::App& app, Arguments& arguments) {
     CLI::App& run_command = *app.add_subcommand("run", "Run a scene");
     add_scene(run_command, arguments);
     run_command.add_option("--out", arguments.out, "Folder for states, checkpoint and summary");
-    run_command.add_flag("--overwrite", arguments.overwrite, "Replace a run of another configuration, instead of refusing; a run of this one is continued");
+    run_command.add_flag("--overwrite", arguments.overwrite,
+                         "Replace a run of another configuration, instead of refusing; a run of this one is continued");
     run_command.add_flag("--print-config", arguments.print_config, "Print the scene with all defaults and stop");
     add_progress(run_command, arguments);
     add_threads(run_command, arguments);
