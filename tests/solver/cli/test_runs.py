@@ -81,6 +81,22 @@ def test_one_and_two_threads_give_the_same_bytes(solver):
     assert without_clock(solver.summary("out1")) == without_clock(solver.summary("out2"))
 
 
+def test_loops_long_enough_for_two_threads_give_the_same_bytes(solver):
+    """The engine keeps short loops on one thread; 4096 spheres that touch their neighbours are shared out."""
+    grid = np.indices((16, 16, 16)).reshape(3, -1).T * 49.9e-6 + 30e-6
+    speed = np.sin(np.arange(grid.size)).reshape(grid.shape) * 1e-3
+    rows = np.column_stack([grid, np.full(len(grid), 25e-6), speed, np.zeros_like(speed)])
+    names = "x,y,z,radius,vx,vy,vz,wx,wy,wz"
+    np.savetxt(solver.folder / "table.csv", rows, delimiter=",", header=names, comments="")
+    for threads in (1, 2):
+        run = ("run", "particles.yaml", "--out", f"out{threads}", "--threads", threads, "--quiet")
+        solver.good(*run, "--set", "duration=20 us")
+    states = [sorted((solver.folder / f"out{threads}").glob("*.vtkhdf")) for threads in (1, 2)]
+    assert states[0] and [f.name for f in states[0]] == [f.name for f in states[1]]
+    for one, other in zip(*states):
+        assert particle_bytes(one) == particle_bytes(other), one.name
+
+
 def test_stopped_and_resumed_it_is_the_same_run_to_the_bit(solver):
     solver.good("run", "spread.yaml", "--out", "whole", "--threads", 1, "--quiet")
     steps = solver.summary("whole")["steps"]
