@@ -10,8 +10,6 @@ namespace {
 
 constexpr double right_angle = 90;
 
-std::size_t group_of(std::size_t cluster_size) { return cluster_size == 2 ? 0 : cluster_size <= 4 ? 1 : 2; }
-
 }  // namespace
 
 OrientationMetrics orientation_metrics(const Layer& layer, const Clusters& clusters, double bin, double tolerance) {
@@ -31,7 +29,7 @@ OrientationMetrics orientation_metrics(const Layer& layer, const Clusters& clust
         ++total;
         const Cluster& cluster = clusters.cluster[clusters.of_particle[i]];
         if (cluster.size < 2) continue;
-        OrientationGroup& group = metrics.groups[group_of(cluster.size)];
+        OrientationGroup& group = metrics.groups[OrientationMetrics::group_index(cluster.size)];
         ++group.particles;
         if (cluster.angle) {
             ++group.counts[std::min(static_cast<std::size_t>(*cluster.angle / bin + tolerance), bins - 1)];

@@ -20,6 +20,14 @@ struct OrientationGroup {
 struct OrientationMetrics {
     std::vector<double> bin_edges;  ///< [deg]
     std::array<OrientationGroup, 3> groups;
+
+    /// Group of clusters of this size, at least 2.
+    [[nodiscard]] const OrientationGroup& group_of(std::size_t cluster_size) const {
+        return groups[group_index(cluster_size)];
+    }
+    [[nodiscard]] static std::size_t group_index(std::size_t cluster_size) {
+        return cluster_size == 2 ? 0 : cluster_size <= 4 ? 1 : 2;
+    }
 };
 
 /// Groups 2, 3-4 and >=5. `bin` in degrees; one within `tolerance` bins below an edge counts as on it.

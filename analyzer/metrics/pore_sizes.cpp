@@ -6,6 +6,10 @@
 
 namespace recoat {
 
+std::size_t pore_size_group(double diameter, double tolerance) {
+    return static_cast<std::size_t>(std::min(diameter + tolerance, static_cast<double>(PoreSizes::groups - 1)));
+}
+
 PoreSizes pore_sizes(std::vector<double> diameters, double tolerance) {
     PoreSizes sizes;
     std::ranges::sort(diameters);
@@ -17,8 +21,7 @@ PoreSizes pore_sizes(std::vector<double> diameters, double tolerance) {
     sizes.max = sizes.sorted.back();
     double area = 0;
     for (const double diameter : sizes.sorted) {
-        const double upper = static_cast<double>(PoreSizes::groups - 1);
-        const auto group = static_cast<std::size_t>(std::min(diameter + tolerance, upper));
+        const std::size_t group = pore_size_group(diameter, tolerance);
         sizes.group_number_fraction[group] += 1;
         sizes.group_area_fraction[group] += diameter * diameter;
         area += diameter * diameter;

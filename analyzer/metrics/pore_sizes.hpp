@@ -17,6 +17,9 @@ struct PoreSizes {
     std::vector<double> sorted;                          ///< all diameters, ascending [d_p]
 };
 
+/// Group of a diameter.
+[[nodiscard]] std::size_t pore_size_group(double diameter, double tolerance);
+
 /// Groups are closed below; a diameter within `tolerance` below an edge counts as on it.
 [[nodiscard]] PoreSizes pore_sizes(std::vector<double> diameters, double tolerance);
 

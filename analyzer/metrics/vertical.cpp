@@ -7,12 +7,6 @@
 #include "analyzer/metrics/coordination.hpp"
 
 namespace recoat {
-namespace {
-
-/// A sphere whose lowest point is nearer to the base than this touches it [d_p].
-constexpr double touching_gap = 0.005;
-
-}  // namespace
 
 VerticalMetrics vertical_metrics(const Layer& layer, double bin, double tolerance) {
     std::vector<std::size_t> counts;

@@ -7,6 +7,9 @@
 
 namespace recoat {
 
+/// A sphere whose lowest point is nearer to the base than this touches it [d_p].
+inline constexpr double touching_gap = 0.005;
+
 /// Heights of the centres of the region's particles [d_p]; shares of these particles.
 struct VerticalMetrics {
     /// What only a region with particles has.
