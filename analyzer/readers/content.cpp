@@ -1,55 +1,68 @@
 #include "analyzer/readers/content.hpp"
 
+#include <cstdio>
 #include <memory>
 
 #include <fmt/format.h>
-#include <zlib.h>
 
+#include "analyzer/readers/gzip.hpp"
 #include "common/error.hpp"
 
 namespace recoat {
 namespace {
 
-constexpr unsigned chunk_size = 1U << 20;
+constexpr std::size_t first_size = 4096;
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
-struct CloseGzip {
-    void operator()(gzFile file) const { gzclose(file); }
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-}  // namespace
-
-Content load_content(const std::filesystem::path& file) {
-    // zlib hands over the bytes of files that are not packed as they are.
-    const std::unique_ptr<gzFile_s, CloseGzip> stream(std::filesystem::is_directory(file) ? nullptr
-                                                                                          : gzopen(file.c_str(), "rb"));
+/// All bytes of a file; of an HDF5 file only the first ones.
+std::string read_bytes(const std::filesystem::path& file) {
+    const std::unique_ptr<std::FILE, CloseFile> stream(
+        std::filesystem::is_directory(file) ? nullptr : std::fopen(file.c_str(), "rb"));
     if (!stream) {
         throw InputError(fmt::format("{}: the file cannot be read; check its name and permissions", file.string()));
     }
-    gzbuffer(stream.get(), chunk_size);
-    Content content;
-    content.file = file;
-    for (int count = 1; count > 0;) {
-        const std::size_t size = content.bytes.size();
-        content.bytes.resize(size + chunk_size);
-        count = gzread(stream.get(), content.bytes.data() + size, chunk_size);
-        content.bytes.resize(size + static_cast<std::size_t>(std::max(count, 0)));
-        if (content.bytes.starts_with(hdf5_signature)) return content;
+    std::error_code no_size;  // of a pipe
+    const auto expected = std::filesystem::file_size(file, no_size);
+    std::string bytes(first_size, '\0');
+    std::size_t size = 0;
+    for (std::size_t count = 1; count > 0;) {
+        count = std::fread(bytes.data() + size, 1, bytes.size() - size, stream.get());
+        size += count;
+        if (std::string_view(bytes).substr(0, size).starts_with(hdf5_signature)) break;
+        // One more than the file has, to meet its end.
+        if (size == bytes.size()) bytes.resize(no_size || expected < size ? 2 * size : expected + 1);
     }
-    content.packed = gzdirect(stream.get()) == 0;
-    int status = Z_OK;
-    const std::string reason = gzerror(stream.get(), &status);
-    if (status != Z_OK) {
-        throw InputError(content.packed ? fmt::format("{}: the compressed data are damaged or end too early ({}); copy "
-                                                      "the file again from where it was made",
-                                                      file.string(), reason)
-                                        : fmt::format("{}: the file cannot be read ({}); check the disk it lies on",
-                                                      file.string(), reason));
+    if (std::ferror(stream.get()) != 0) {
+        throw InputError(fmt::format("{}: the file cannot be read; check the disk it lies on", file.string()));
+    }
+    bytes.resize(size);
+    return bytes;
+}
+
+}  // namespace
+
+bool Content::is_hdf5() const { return bytes.starts_with(hdf5_signature); }
+
+Content make_content(const std::filesystem::path& file, std::string bytes) {
+    Content content{.file = file, .bytes = std::move(bytes), .packed = false};
+    if (is_gzip(content.bytes)) {
+        content.bytes = unpack_gzip(content.bytes, content.name());
+        content.packed = true;
+        if (content.is_hdf5()) {
+            throw InputError(
+                fmt::format("{}: HDF5 files cannot be read while packed with gzip; unpack it first", content.name()));
+        }
     }
     if (content.bytes.empty()) {
-        throw InputError(fmt::format("{}: the file is empty; give a file of particles", file.string()));
+        throw InputError(fmt::format("{}: the file is empty; give a file of particles", content.name()));
     }
     return content;
 }
+
+Content load_content(const std::filesystem::path& file) { return make_content(file, read_bytes(file)); }
 
 }  // namespace recoat

@@ -167,6 +167,8 @@ private:
 
 bool is_csv(const Content& content) { return looks_like_text(content.head()); }
 
-Source read_csv(const Content& content, const ReadOptions& options) { return Table(content, options).read(); }
+Series open_csv(const Content& content, const ReadOptions& options) {
+    return single_step([&] { return Table(content, options).read(); });
+}
 
 }  // namespace recoat

@@ -11,10 +11,10 @@ bool is_csv(const Content& content);
 /// taken, the identities too, and others passed over. A name may carry a unit of length, "x [um]", "radius (mm)"; then
 /// those without are in metres. Separators are commas, semicolons, bars or white space. Empty lines count for
 /// nothing.
-Source read_csv(const Content& content, const ReadOptions& options);
+Series open_csv(const Content& content, const ReadOptions& options);
 
 inline constexpr Reader csv_reader = {
     "csv", "tables of text with a first line that names the columns x, y, z and radius or diameter (CSV)", is_csv,
-    read_csv};
+    open_csv};
 
 }  // namespace recoat

@@ -178,8 +178,8 @@ bool is_lammps_data(const Content& content) {
            head.find(" atoms") != std::string_view::npos;
 }
 
-Source read_lammps_data(const Content& content, const ReadOptions& options) {
-    return DataReader(content, options).read();
+Series open_lammps_data(const Content& content, const ReadOptions& options) {
+    return single_step([&] { return DataReader(content, options).read(); });
 }
 
 }  // namespace recoat

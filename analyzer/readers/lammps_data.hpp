@@ -11,9 +11,9 @@ bool is_lammps_data(const Content& content);
 /// diameter and density, and atomic, charge, bond, molecular, full, which have no size. Without a comment that names
 /// the style, 7 columns (10 with image flags) are sphere and 5 (8) atomic. A direction with an image flag that is not
 /// zero is periodic; otherwise the file does not say. Tilted boxes are refused.
-Source read_lammps_data(const Content& content, const ReadOptions& options);
+Series open_lammps_data(const Content& content, const ReadOptions& options);
 
 inline constexpr Reader lammps_data_reader = {"lammps-data", "data files of LAMMPS and LIGGGHTS (write_data)",
-                                              is_lammps_data, read_lammps_data};
+                                              is_lammps_data, open_lammps_data};
 
 }  // namespace recoat

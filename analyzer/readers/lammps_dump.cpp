@@ -6,7 +6,6 @@
 
 #include "analyzer/readers/columns.hpp"
 #include "analyzer/readers/lammps_snapshot.hpp"
-#include "analyzer/readers/steps.hpp"
 #include "common/error.hpp"
 
 namespace recoat {
@@ -101,7 +100,7 @@ private:
 
 bool is_lammps_dump(const Content& content) { return content.bytes.starts_with("ITEM:"); }
 
-Source read_lammps_dump(const Content& content, const ReadOptions& options) {
+Series open_lammps_dump(const Content& content, const ReadOptions& options) {
     TextCursor cursor(content.name(), content.bytes);
     std::vector<LammpsSnapshot> snapshots;
     std::vector<TextCursor> places;
@@ -112,14 +111,14 @@ Source read_lammps_dump(const Content& content, const ReadOptions& options) {
         places.push_back(cursor);
         cursor.skip(snapshots.back().count, fmt::format("{} atoms", snapshots.back().count));
     }
-    const std::size_t chosen = choose_step(steps, options.step, content.name());
-    Source source = AtomReader(snapshots[chosen], places[chosen], options.columns).read();
-    source.step = steps[chosen];
-    source.facts = {{"snapshots", std::to_string(steps.size())},
-                    {"steps", fmt::format("{} ... {}", steps.front(), steps.back())},
-                    {"step", std::to_string(steps[chosen])},
-                    {"columns", fmt::format("{}", fmt::join(snapshots[chosen].columns, " "))}};
-    return source;
+    return {steps, [steps, snapshots = std::move(snapshots), places = std::move(places), &options](std::size_t index) {
+                Source source = AtomReader(snapshots[index], places[index], options.columns).read();
+                source.facts = {{"snapshots", std::to_string(steps.size())},
+                                {"steps", fmt::format("{} ... {}", steps.front(), steps.back())},
+                                {"step", std::to_string(steps[index])},
+                                {"columns", fmt::format("{}", fmt::join(snapshots[index].columns, " "))}};
+                return source;
+            }};
 }
 
 }  // namespace recoat

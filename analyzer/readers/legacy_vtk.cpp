@@ -164,8 +164,9 @@ private:
 
 bool is_legacy_vtk(const Content& content) { return content.bytes.starts_with("# vtk DataFile"); }
 
-Source read_legacy_vtk(const Content& content, const ReadOptions& options) {
-    return particles_from(LegacyReader(content, options.columns).read(), options.columns, content.name());
+Series open_legacy_vtk(const Content& content, const ReadOptions& options) {
+    return single_step(
+        [&] { return particles_from(LegacyReader(content, options.columns).read(), options.columns, content.name()); });
 }
 
 }  // namespace recoat

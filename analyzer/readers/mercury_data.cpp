@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/steps.hpp"
 #include "analyzer/readers/text_cursor.hpp"
 #include "common/number.hpp"
 
@@ -76,7 +75,7 @@ bool is_mercury_data(const Content& content) {
     return is_header(cursor);
 }
 
-Source read_mercury_data(const Content& content, const ReadOptions& options) {
+Series open_mercury_data(const Content& content, const ReadOptions&) {
     TextCursor cursor(content.name(), content.bytes);
     std::vector<Snapshot> snapshots;
     std::vector<std::int64_t> numbers;
@@ -85,12 +84,13 @@ Source read_mercury_data(const Content& content, const ReadOptions& options) {
         snapshots.push_back(read_header(cursor));
         cursor.skip(snapshots.back().count, fmt::format("{} particles", snapshots.back().count));
     }
-    const std::size_t chosen = choose_step(numbers, options.step, content.name());
-    Source source = read_particles_of(snapshots[chosen]);
-    source.facts = {{"snapshots", std::to_string(snapshots.size())},
-                    {"snapshot", std::to_string(chosen)},
-                    {"time", shortest(snapshots[chosen].time)}};
-    return source;
+    return {std::move(numbers), [snapshots = std::move(snapshots)](std::size_t index) {
+                Source source = read_particles_of(snapshots[index]);
+                source.facts = {{"snapshots", std::to_string(snapshots.size())},
+                                {"snapshot", std::to_string(index)},
+                                {"time", shortest(snapshots[index].time)}};
+                return source;
+            }};
 }
 
 }  // namespace recoat

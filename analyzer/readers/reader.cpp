@@ -12,6 +12,7 @@
 #include "analyzer/readers/legacy_vtk.hpp"
 #include "analyzer/readers/mercury_data.hpp"
 #include "analyzer/readers/recoat_state.hpp"
+#include "analyzer/readers/steps.hpp"
 #include "analyzer/readers/vtk_xml.hpp"
 #include "analyzer/readers/yade_text.hpp"
 #include "common/error.hpp"
@@ -22,23 +23,36 @@ namespace {
 constexpr std::array all_readers = {recoat_state_reader, lammps_dump_reader, lammps_data_reader, yade_text_reader,
                                     mercury_data_reader, legacy_vtk_reader,  vtk_xml_reader,     csv_reader};
 
+const Reader& reader_of(const Content& content) {
+    std::string known;
+    for (const Reader& reader : all_readers) {
+        if (reader.recognises(content)) return reader;
+        known += fmt::format("{}{}", known.empty() ? "" : "; ", reader.description);
+    }
+    throw InputError(fmt::format("{}: the format is not known; known are: {}", content.name(), known));
+}
+
 }  // namespace
 
 std::span<const Reader> readers() { return all_readers; }
 
+Recording::Recording(Content content, ReadOptions options)
+    : content_(std::make_unique<Content>(std::move(content))),
+      options_(std::make_unique<ReadOptions>(std::move(options))),
+      reader_(&reader_of(*content_)),
+      series_(reader_->open(*content_, *options_)) {}
+
+Source Recording::read(std::size_t index) const {
+    Source source = series_.read(index);
+    source.format = reader_->name;
+    source.step = series_.steps.at(index);
+    complete(source, content_->name(), *options_);
+    return source;
+}
+
 Source read_particles(const std::filesystem::path& file, const ReadOptions& options) {
-    const Content content = load_content(file);
-    std::string known;
-    for (const Reader& reader : all_readers) {
-        if (reader.recognises(content)) {
-            Source source = reader.read(content, options);
-            source.format = reader.name;
-            complete(source, content.name(), options);
-            return source;
-        }
-        known += fmt::format("{}{}", known.empty() ? "" : "; ", reader.description);
-    }
-    throw InputError(fmt::format("{}: the format is not known; known are: {}", content.name(), known));
+    const Recording recording(file, options);
+    return recording.read(choose_step(recording.steps(), options.step, file.string()));
 }
 
 }  // namespace recoat

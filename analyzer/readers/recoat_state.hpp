@@ -11,9 +11,9 @@ inline constexpr const char* converted_stage = "converted";
 bool is_recoat_state(const Content& content);
 
 /// A state of a VTKHDF file that recoat-solve wrote, with what it says about its run. Column names do not apply.
-Source read_recoat_state(const Content& content, const ReadOptions& options);
+Series open_recoat_state(const Content& content, const ReadOptions& options);
 
 inline constexpr Reader recoat_state_reader = {"recoat-state", "states of recoat-solve (VTKHDF)", is_recoat_state,
-                                               read_recoat_state};
+                                               open_recoat_state};
 
 }  // namespace recoat

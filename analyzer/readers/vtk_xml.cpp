@@ -104,8 +104,9 @@ bool is_vtk_xml(const Content& content) {
     return trimmed(content.head()).starts_with('<') && content.head().find("<VTKFile") != std::string_view::npos;
 }
 
-Source read_vtk_xml(const Content& content, const ReadOptions& options) {
-    return particles_from(XmlReader(content, options.columns).read(), options.columns, content.name());
+Series open_vtk_xml(const Content& content, const ReadOptions& options) {
+    return single_step(
+        [&] { return particles_from(XmlReader(content, options.columns).read(), options.columns, content.name()); });
 }
 
 }  // namespace recoat

@@ -10,8 +10,8 @@ bool is_vtk_xml(const Content& content);
 /// Reads the points of all pieces of PolyData (VTP) and UnstructuredGrid (VTU), with size and identity from the point
 /// data: ASCII, inline base64, appended raw or base64, with zlib or without, any byte order and header. Other kinds of
 /// data set are refused.
-Source read_vtk_xml(const Content& content, const ReadOptions& options);
+Series open_vtk_xml(const Content& content, const ReadOptions& options);
 
-inline constexpr Reader vtk_xml_reader = {"vtk-xml", "points in XML VTK files (.vtp, .vtu)", is_vtk_xml, read_vtk_xml};
+inline constexpr Reader vtk_xml_reader = {"vtk-xml", "points in XML VTK files (.vtp, .vtu)", is_vtk_xml, open_vtk_xml};
 
 }  // namespace recoat

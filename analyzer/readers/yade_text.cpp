@@ -22,11 +22,7 @@ std::optional<std::string_view> named_format(std::string_view text) {
     return {};
 }
 
-}  // namespace
-
-bool is_yade_text(const Content& content) { return named_format(content.head()).has_value(); }
-
-Source read_yade_text(const Content& content, const ReadOptions&) {
+Source read_yade_text(const Content& content) {
     TextCursor cursor(content.name(), content.bytes);
     const std::string_view format = *named_format(content.bytes);
     const bool has_id = format.starts_with("id_x_y_z_r");
@@ -54,6 +50,14 @@ Source read_yade_text(const Content& content, const ReadOptions&) {
         source.line.push_back(cursor.line_number());
     }
     return source;
+}
+
+}  // namespace
+
+bool is_yade_text(const Content& content) { return named_format(content.head()).has_value(); }
+
+Series open_yade_text(const Content& content, const ReadOptions&) {
+    return single_step([&] { return read_yade_text(content); });
 }
 
 }  // namespace recoat

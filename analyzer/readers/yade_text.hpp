@@ -8,9 +8,9 @@ namespace recoat {
 bool is_yade_text(const Content& content);
 
 /// Reads what yade.export.text and textExt write; columns after the radius are passed over.
-Source read_yade_text(const Content& content, const ReadOptions& options);
+Series open_yade_text(const Content& content, const ReadOptions& options);
 
 inline constexpr Reader yade_text_reader = {"yade-text", "text exports of Yade (export.text, export.textExt)",
-                                            is_yade_text, read_yade_text};
+                                            is_yade_text, open_yade_text};
 
 }  // namespace recoat
