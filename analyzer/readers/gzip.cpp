@@ -4,6 +4,8 @@
 #include <new>
 
 #include <fmt/format.h>
+// Input is not written to.
+#define ZLIB_CONST
 #include <zlib.h>
 
 #include "common/error.hpp"
