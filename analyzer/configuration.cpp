@@ -181,6 +181,13 @@ void read_chambers(const Config& config, AnalysisConfig& result) {
     result.chamber_persistence = diameters_or(config, "chamber_persistence", d, 0.05, Range::not_negative());
 }
 
+void read_bootstrap(const Config& config, AnalysisConfig& result) {
+    result.bootstrap_block = diameters_or(config, "bootstrap_block", result.particle_diameter, 10);
+    result.bootstrap_resamples =
+        static_cast<std::size_t>(config.integer_or("bootstrap_resamples", 1000, {.lower = 0, .upper = 1e6}));
+    result.bootstrap_seed = static_cast<std::uint64_t>(config.integer_or("bootstrap_seed", 1, Range::not_negative()));
+}
+
 void read_metrics(const Config& config, AnalysisConfig& result) {
     const double d = result.particle_diameter;
     result.crop_first = config.boolean_or("crop_first", false);
@@ -218,6 +225,7 @@ AnalysisConfig read_analysis_config(const Config& given, const SourceInfo& info)
     result.y_period = own_or_stated(config, "y_period", Dimension::length, info.y_period, positive);
     read_metrics(config, result);
     read_chambers(config, result);
+    read_bootstrap(config, result);
     read_voxels(config, result);
     read_region(config, info, result);
     config.finish();

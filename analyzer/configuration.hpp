@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -35,13 +36,16 @@ struct AnalysisConfig {
     double density_threshold = 0.1;  ///< packing density below which a node belongs to a pore [-]
     WindowEdge phi_x_edge = WindowEdge::overhang;
     ChamberEdge chamber_x_edge = ChamberEdge::centre;
-    double chamber_min_diameter = 0;    ///< [d_p]
-    double chamber_f = 1;               ///< [-]
-    double chamber_persistence = 0.05;  ///< [d_p]
-    double z_bin = 0.1;                 ///< [d_p]
-    double height_bin = 0.25;           ///< [d_p]
-    double angle_bin = 10;              ///< [deg]
-    double bin_tol = 1e-6;              ///< tolerance of the edges of bins and windows [-]
+    double chamber_min_diameter = 0;         ///< [d_p]
+    double chamber_f = 1;                    ///< [-]
+    double chamber_persistence = 0.05;       ///< [d_p]
+    double z_bin = 0.1;                      ///< [d_p]
+    double height_bin = 0.25;                ///< [d_p]
+    double angle_bin = 10;                   ///< [deg]
+    double bin_tol = 1e-6;                   ///< tolerance of the edges of bins and windows [-]
+    double bootstrap_block = 10;             ///< length of a block along x [d_p]
+    std::size_t bootstrap_resamples = 1000;  ///< 0: no intervals
+    std::uint64_t bootstrap_seed = 1;
     std::vector<int> voxels_per_dp = {10, 20};
 };
 

@@ -5,7 +5,9 @@
 
 #include "analyzer/output/described_group.hpp"
 #include "analyzer/output/hdf5_pores.hpp"
+#include "analyzer/output/hdf5_uncertainty.hpp"
 #include "analyzer/output/json_report.hpp"
+#include "analyzer/output/pore_cells.hpp"
 #include "common/output_file.hpp"
 #include "common/version.hpp"
 
@@ -33,7 +35,8 @@ void write_config(const hdf5::Group& group, const AnalysisConfig& config) {
         }
     }
     group.set_attribute(
-        "units", "d_p, h_b, x_range, y_min, y_period in m; density in kg/m3; angle_bin in deg; other lengths in d_p");
+        "units",
+        "d_p, h_b, base, x_range, y_min, y_period in m; density in kg/m3; angle_bin in deg; other lengths in d_p");
 }
 
 void write_particles(const DescribedGroup& group, const Analysis& analysis, const AnalysisConfig& config) {
@@ -80,6 +83,12 @@ void write_maps(const DescribedGroup& group, const Analysis& analysis, const Ana
               analysis.packing.centre);
     group.map("height", "d_p", "highest point of any sphere over the square of side height_window; 0: none",
               analysis.height_map);
+    for (const DensityPoreMetrics& pores : analysis.density_pores) {
+        const std::string neighbours = std::to_string(static_cast<int>(pores.connectivity));
+        group.map("density_pore_" + neighbours, "1",
+                  "density pore of the node, from 1 in the order of the table of pores; 0: none",
+                  pore_numbers(analysis, config, pores));
+    }
 }
 
 void write_box_stats(const DescribedGroup& group, const BoxStats& stats) {
@@ -183,7 +192,8 @@ void write_voxel(const DescribedGroup& group, const VoxelMetrics& metrics) {
     write_pore_sizes(group.group("chamber_P"), metrics.chambers);
 }
 
-void write_groups(const hdf5::Group& file, const Analysis& analysis, const AnalysisConfig& config) {
+void write_groups(const hdf5::Group& file, const Analysis& analysis, const AnalysisConfig& config,
+                  const std::optional<Uncertainty>& uncertainty) {
     const auto group = [&](const std::string& name) { return DescribedGroup(file.create_group(name)); };
     write_config(file.create_group("config"), config);
     write_particles(group("particles"), analysis, config);
@@ -205,12 +215,13 @@ void write_groups(const hdf5::Group& file, const Analysis& analysis, const Analy
     const DescribedGroup voxel = group("voxel");
     for (const VoxelMetrics& metrics : analysis.voxel)
         write_voxel(voxel.group(std::to_string(metrics.voxels_per_dp)), metrics);
+    if (uncertainty) write_uncertainty(file.create_group("uncertainty"), *uncertainty);
 }
 
 }  // namespace
 
 void write_hdf5_report(const std::filesystem::path& path, const Analysis& analysis, const AnalysisConfig& config,
-                       const Provenance& provenance) {
+                       const Provenance& provenance, const std::optional<Uncertainty>& uncertainty) {
     constexpr std::int64_t schema_version = 1;
     OutputFile output(path);
     {
@@ -220,7 +231,7 @@ void write_hdf5_report(const std::filesystem::path& path, const Analysis& analys
         file.set_attribute("program_version", program_version());
         file.set_attribute("source_file", provenance.file);
         file.set_attribute("source_format", provenance.format);
-        write_groups(file, analysis, config);
+        write_groups(file, analysis, config, uncertainty);
     }
     output.commit();
 }

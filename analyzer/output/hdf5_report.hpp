@@ -1,9 +1,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 
 #include "analyzer/analysis.hpp"
+#include "analyzer/uncertainty/uncertainty.hpp"
 
 namespace recoat {
 
@@ -14,9 +16,10 @@ struct Provenance {
 };
 
 /// Writes an analysis as HDF5: /particles and /maps as arrays, one group of columns per metric, /voxel/N with the voxel
-/// forms, /config with the resolved configuration as attributes. Every array carries its unit and its definition as
-/// attributes. Existing files are replaced. Throws InputError when the file cannot be written.
+/// forms, /uncertainty with the intervals, /config with the resolved configuration as attributes. Every array carries
+/// its unit and its definition as attributes. Existing files are replaced. Throws InputError when the file cannot be
+/// written.
 void write_hdf5_report(const std::filesystem::path& path, const Analysis& analysis, const AnalysisConfig& config,
-                       const Provenance& provenance);
+                       const Provenance& provenance, const std::optional<Uncertainty>& uncertainty = {});
 
 }  // namespace recoat

@@ -1,6 +1,8 @@
 #include "analyzer/output/json_report.hpp"
 
 #include "analyzer/output/json_pores.hpp"
+#include "analyzer/output/json_uncertainty.hpp"
+#include "analyzer/output/pore_cells.hpp"
 
 namespace recoat {
 namespace {
@@ -116,6 +118,27 @@ Json to_json(const Map& map) {
     return rows;
 }
 
+Json whole_numbers(const Map& map) {
+    Json rows = Json::array();
+    for (int ix = 0; ix < map.nx; ++ix) {
+        Json row = Json::array();
+        for (int iy = 0; iy < map.ny; ++iy) row.push_back(static_cast<int>(map.at(ix, iy)));
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+Json maps_to_json(const Analysis& analysis, const AnalysisConfig& config) {
+    Json maps = {{"phi_exact", to_json(analysis.packing.exact)},
+                 {"phi_centre", to_json(analysis.packing.centre)},
+                 {"height", to_json(analysis.height_map)}};
+    for (const DensityPoreMetrics& pores : analysis.density_pores) {
+        maps["density_pore_" + std::to_string(static_cast<int>(pores.connectivity))] =
+            whole_numbers(pore_numbers(analysis, config, pores));
+    }
+    return maps;
+}
+
 Json particles_to_json(const Analysis& analysis) {
     Json number = Json::array(), size = Json::array(), angle = Json::array();
     for (std::size_t i = 0; i < analysis.layer.size(); ++i) {
@@ -133,6 +156,7 @@ Json json_config(const AnalysisConfig& config) {
     return {{"d_p", config.particle_diameter},
             {"density", config.density},
             {"h_b", config.clearance},
+            {"base", config.base},
             {"x_range", {config.x_begin, config.x_end}},
             {"y_min", config.y_min},
             {"y_period", config.y_period},
@@ -152,26 +176,29 @@ Json json_config(const AnalysisConfig& config) {
             {"height_bin", config.height_bin},
             {"angle_bin", config.angle_bin},
             {"bin_tol", config.bin_tol},
+            {"bootstrap_block", config.bootstrap_block},
+            {"bootstrap_resamples", config.bootstrap_resamples},
+            {"bootstrap_seed", config.bootstrap_seed},
             {"voxels_per_dp", config.voxels_per_dp}};
 }
 
-Json json_report(const Analysis& analysis, const AnalysisConfig& config) {
-    return {{"units", "lengths in d_p"},
-            {"config", json_config(config)},
-            {"clusters", clusters_to_json(analysis)},
-            {"vertical", to_json(analysis.vertical)},
-            {"phi_exact", to_json(analysis.phi_exact)},
-            {"phi_centre", to_json(analysis.phi_centre)},
-            {"height", to_json(analysis.height)},
-            {"totals", to_json(analysis.totals)},
-            {"chamber_pores", json_chamber_pores(analysis.chamber_pores)},
-            {"density_pores", json_density_pores(analysis.density_pores, config.grid)},
-            {"voxel", to_json(analysis.voxel)},
-            {"maps",
-             {{"phi_exact", to_json(analysis.packing.exact)},
-              {"phi_centre", to_json(analysis.packing.centre)},
-              {"height", to_json(analysis.height_map)}}},
-            {"particles", particles_to_json(analysis)}};
+Json json_report(const Analysis& analysis, const AnalysisConfig& config,
+                 const std::optional<Uncertainty>& uncertainty) {
+    Json report = {{"units", "lengths in d_p"},
+                   {"config", json_config(config)},
+                   {"clusters", clusters_to_json(analysis)},
+                   {"vertical", to_json(analysis.vertical)},
+                   {"phi_exact", to_json(analysis.phi_exact)},
+                   {"phi_centre", to_json(analysis.phi_centre)},
+                   {"height", to_json(analysis.height)},
+                   {"totals", to_json(analysis.totals)},
+                   {"chamber_pores", json_chamber_pores(analysis.chamber_pores)},
+                   {"density_pores", json_density_pores(analysis.density_pores, config.grid)},
+                   {"voxel", to_json(analysis.voxel)},
+                   {"maps", maps_to_json(analysis, config)},
+                   {"particles", particles_to_json(analysis)}};
+    if (uncertainty) report["uncertainty"] = json_uncertainty(*uncertainty);
+    return report;
 }
 
 }  // namespace recoat

@@ -9,7 +9,7 @@ import jsonschema
 import numpy as np
 import pytest
 import yaml
-from comparison import differences
+from comparison import differences as all_differences
 
 CASES = Path(__file__).resolve().parents[1] / "data/cases"
 NAMES = sorted(file.stem for file in CASES.glob("*.csv"))
@@ -35,6 +35,16 @@ def case(request, program, tmp_path_factory):
 
 def test_all_cases_are_there():
     assert len(NAMES) == 8
+
+
+# What the reference program of the expected values does not compute; it has tests of its own.
+BEYOND = {"/uncertainty", "/config/base", "/maps/density_pore_4", "/maps/density_pore_8"} | {
+    f"/config/bootstrap_{name}" for name in ("block", "resamples", "seed")
+}
+
+
+def differences(expected, report):
+    return [found for found in all_differences(expected, report) if found not in [(path, "is not expected") for path in BEYOND]]
 
 
 def test_every_expected_value(case):

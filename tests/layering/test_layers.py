@@ -20,7 +20,10 @@ ANALYZER = [
     "analyzer/fields",
     "analyzer/metrics",
     "analyzer/analysis",
+    "analyzer/uncertainty",
     "analyzer/output",
+    "analyzer/read_arguments",
+    "analyzer/commands",
     "analyzer",
 ]
 

@@ -1,4 +1,4 @@
-#include "analyzer/output/text_report.hpp"
+#include "analyzer/output/description.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -83,42 +83,6 @@ std::string describe_source(const Source& source, const std::string& file, bool 
     if (as_json) return json.dump(1) + "\n";
     std::string text;
     for (const auto& [name, value] : json.items()) text += fmt::format("{:20} {}\n", name, as_text(value));
-    return text;
-}
-
-std::string text_summary(const Analysis& analysis, const AnalysisConfig& config) {
-    const double d = config.particle_diameter;
-    const Layer& layer = analysis.layer;
-    const BoxStats& phi = analysis.phi_exact;
-    std::string text =
-        fmt::format("region             x = {:.9g} ... {:.9g} m ({:.6g} d_p), y period {:.9g} m ({:.6g} d_p)\n",
-                    config.x_begin, config.x_end, (config.x_end - config.x_begin) / d, config.y_period, layer.width);
-    text += fmt::format("frame              d_p {:.6g} m, h_b {:.6g} m, base z = {:.6g} m, y from {:.9g} m\n", d,
-                        config.clearance, config.base, config.y_min);
-    text += fmt::format("particles          {} in the region, {} in the file\n", analysis.coordination.n_particles,
-                        layer.size());
-    text += fmt::format("packing density    median {:.4f}, IQR/median {}, layer {:.4f}\n", phi.median,
-                        phi.iqr_over_median ? fmt::format("{:.4f}", *phi.iqr_over_median) : "undefined",
-                        analysis.totals.layer_phi);
-    text += fmt::format("surface height     mean {:.4f} d_p, Ra {:.4f} d_p, empty {:.4f}\n", analysis.height.mean,
-                        analysis.height.roughness, analysis.height.empty_fraction);
-    text += fmt::format("coordination       mean {:.4f}\n", analysis.coordination.cn_mean);
-    text += fmt::format("clusters           {} of two particles or more, largest {}\n",
-                        analysis.cluster_sizes.n_clusters, analysis.cluster_sizes.max_cluster_size);
-    for (const DensityPoreMetrics& pores : analysis.density_pores) {
-        text += fmt::format("density pores      {} by {} neighbours, median {:.4f} d_p, area fraction {:.4f}\n",
-                            pores.sizes.count, static_cast<int>(pores.connectivity), pores.sizes.median,
-                            pores.area_fraction);
-    }
-    const PoreSizes& chambers = analysis.chamber_pores.separate.sizes;
-    text += fmt::format("chamber pores      {} by rule A, median {:.4f} d_p, largest {:.4f} d_p\n", chambers.count,
-                        chambers.median, chambers.max);
-    for (const VoxelMetrics& voxel : analysis.voxel) {
-        text += fmt::format(
-            "voxels {:4} per d_p  packing density within {:.2g} (rms {:.2g}), height within {:.2g} d_p of the exact "
-            "ones\n",
-            voxel.voxels_per_dp, voxel.phi_error.max, voxel.phi_error.rms, voxel.height_error.max);
-    }
     return text;
 }
 

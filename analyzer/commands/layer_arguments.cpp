@@ -1,0 +1,47 @@
+#include "analyzer/commands/layer_arguments.hpp"
+
+#include <CLI/CLI.hpp>
+#include <tbb/global_control.h>
+
+#include "analyzer/readers/frame.hpp"
+#include "analyzer/readers/reader.hpp"
+
+namespace recoat {
+
+void add_layer_arguments(CLI::App& command, LayerArguments& arguments) {
+    command.add_option("layer", arguments.file, "File of particles; \"describe\" without a file lists the formats")
+        ->required();
+    command.add_option("--config", arguments.config, "Configuration (YAML or JSON)");
+    add_read_arguments(command, arguments.read);
+    add_frame_arguments(command, arguments.frame);
+    command
+        .add_option("--set", arguments.settings, "Replace a value of the configuration: key=value (may be repeated)")
+        ->allow_extra_args(false);
+    command.add_option("--threads", arguments.threads, "Number of threads; all cores if not given")
+        ->check(CLI::PositiveNumber);
+}
+
+Config load_config(const LayerArguments& arguments) {
+    std::vector<std::string> settings = arguments.settings;
+    for (const std::string& setting : frame_settings(arguments.frame)) settings.push_back(setting);
+    if (arguments.config.empty()) return Config::parse("{}", "--config (not given)", settings);
+    return Config::load(arguments.config, settings);
+}
+
+PreparedLayer prepare_layer(const LayerArguments& arguments) {
+    const Config config = load_config(arguments);
+    Source source = read_particles(arguments.file, read_options(arguments.read, read_column_names(config)));
+    complete_frame(source);
+    AnalysisConfig resolved = read_analysis_config(config, source.info);
+    lower_to_base(source, resolved.base);
+    Layer layer = make_layer(source, resolved);
+    return {std::move(layer), std::move(resolved), source.format};
+}
+
+void with_threads(const LayerArguments& arguments, const std::function<void()>& body) {
+    if (arguments.threads == 0) return body();
+    const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, arguments.threads);
+    body();
+}
+
+}  // namespace recoat
