@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench clean
+.PHONY: setup programs build reproduce test lint bench stress clean
 
 setup:
 	@./setup.sh
@@ -31,3 +31,10 @@ clean:
 
 bench: build
 	@bench/side_by_side.sh bench/results/side-by-side.json
+
+# Random scenes far beyond the usual ones (docs/stability.md); those that go wrong stay in results/stress.
+SEED ?= 1
+SCENES ?= 2000
+stress: build
+	@$(RECOAT_BUILD)/tests/stress/stress --seed $(SEED) --scenes $(SCENES) --out results/stress \
+	    --program $(RECOAT_BUILD)/solver/recoat-solve

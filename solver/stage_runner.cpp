@@ -30,6 +30,7 @@ StageRunner::StageRunner(const Scene& scene, const RunOptions& options, Engine& 
       trajectory_(options.folder),
       particles_(engine.particles().size()),
       line_(options.quiet, particles_),
+      energy_watch_(scene, progress_.start),
       counted_(Clock::now()),
       saved_(Clock::now()) {}
 
@@ -59,6 +60,7 @@ bool StageRunner::run_segment(const Segment& segment) {
         advance(steps);
         progress_.segment_steps += steps;
         sample();
+        watch();
         check_rest(segment);
         line_.update(stage_steps());
         save_if_due();
@@ -95,7 +97,8 @@ std::size_t StageRunner::wall_index(const std::string& name) const {
 std::int64_t StageRunner::chunk(const Segment& segment) const {
     std::int64_t steps = std::min(segment.steps - progress_.segment_steps, chunk_limit_);
     if (segment.rest) steps = std::min(steps, until_multiple(progress_.segment_steps, segment.rest->interval));
-    for (std::int64_t interval : {scene_.output.trajectory_interval, scene_.output.energy_interval}) {
+    for (std::int64_t interval :
+         {scene_.output.trajectory_interval, scene_.output.energy_interval, EnergyWatch::interval}) {
         if (interval > 0) steps = std::min(steps, until_multiple(engine_.step(), interval));
     }
     if (options_.until_step) steps = std::min(steps, *options_.until_step - engine_.step());
@@ -130,6 +133,18 @@ void StageRunner::sample() {
         const std::string& stage = scene_.stages[progress_.stage].name;
         trajectory_.add(progress_.frames, state_info(scene_, stage), state_of_engine(engine_, scene_.y_period));
         ++progress_.frames;
+    }
+}
+
+/// At steps that depend on the scene only, so that every run of it ends alike.
+void StageRunner::watch() {
+    const std::int64_t step = engine_.step(), energy = scene_.output.energy_interval;
+    const bool last = progress_.segment_steps == scene_.stages[progress_.stage].segments[progress_.segment].steps;
+    if (step % EnergyWatch::interval != 0 && !(energy > 0 && step % energy == 0) && !last) return;
+    try {
+        energy_watch_.check(engine_);
+    } catch (const SimulationFault& error) {
+        fault(error);
     }
 }
 

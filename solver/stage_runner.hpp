@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "common/error.hpp"
+#include "solver/energy_watch.hpp"
 #include "solver/output/progress.hpp"
 #include "solver/output/summary.hpp"
 #include "solver/output/trajectory.hpp"
@@ -32,6 +33,7 @@ private:
     [[nodiscard]] std::int64_t chunk(const Segment& segment) const;
     void advance(std::int64_t steps);
     void sample();
+    void watch();
     void check_rest(const Segment& segment);
     void finish_stage(const Stage& stage);
     void finish_run();
@@ -56,6 +58,7 @@ private:
     Trajectory trajectory_;
     std::size_t particles_;
     ProgressLine line_;
+    EnergyWatch energy_watch_;
     std::int64_t chunk_limit_ = 64;  ///< adapted, so that a chunk takes about a quarter of a second
     Clock::time_point counted_, saved_;
 };

@@ -4,6 +4,14 @@
 
 namespace recoat {
 
+namespace {
+
+double motion_and_springs(const EnergyLedger& ledger) {
+    return ledger.kinetic_translation + ledger.kinetic_rotation + ledger.elastic_normal + ledger.elastic_tangential;
+}
+
+}  // namespace
+
 double EnergyBalance::relative_error() const { return scale > 0 ? error / scale : 0; }
 
 EnergyBalance energy_balance(const EnergyLedger& start, const EnergyLedger& end) {
@@ -13,6 +21,10 @@ EnergyBalance energy_balance(const EnergyLedger& start, const EnergyLedger& end)
     const double kept = end.stored() + end.removed_with_walls - start.stored() - start.removed_with_walls;
     balance.error = kept + balance.dissipated - balance.wall_work;
     balance.scale = balance.wall_work != 0 ? std::abs(balance.wall_work) : std::abs(balance.dissipated);
+    balance.exchanged = motion_and_springs(start) + motion_and_springs(end) + std::abs(balance.wall_work) +
+                        balance.dissipated + std::abs(end.gravity - start.gravity) +
+                        std::abs(end.cohesion - start.cohesion) +
+                        std::abs(end.removed_with_walls - start.removed_with_walls);
     return balance;
 }
 

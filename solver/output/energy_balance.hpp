@@ -10,6 +10,7 @@ struct EnergyBalance {
     double dissipated = 0;  ///< [J]
     double error = 0;       ///< change of (stored + removed with walls) + dissipated - wall_work [J]
     double scale = 0;       ///< |wall_work|, or where no wall did work the dissipated energy [J]
+    double exchanged = 0;   ///< all that was there to be exchanged, or was exchanged, between the forms of energy [J]
 
     /// Error over scale; 0 where nothing happened.
     [[nodiscard]] double relative_error() const;

@@ -1,0 +1,35 @@
+#pragma once
+
+#include "solver/engine/engine.hpp"
+#include "solver/scene/scene.hpp"
+
+namespace recoat {
+
+/// Watches, while a run goes on, that energy neither appears nor vanishes: the sign of a time step that is too large
+/// [docs/stability.md].
+class EnergyWatch {
+public:
+    /// Share of the energy exchanged since the start that may be unaccounted for.
+    static constexpr double limit = 0.1;
+    /// Steps between checks where no energy is written.
+    static constexpr std::int64_t interval = 10000;
+    /// Energy per particle, in m g d_p, that is too small to matter: lifting it by a thousandth of its diameter.
+    static constexpr double negligible = 1e-3;
+
+    /// `start`: ledger at the start of the run.
+    EnergyWatch(const Scene& scene, const EnergyLedger& start) : scene_(scene), start_(start) {}
+
+    /// Throws SimulationFault with a sentence that names the step, the stiffest contact and the cause.
+    void check(const Engine& engine) const;
+
+private:
+    const Scene& scene_;
+    EnergyLedger start_;
+};
+
+/// What the watch compares with: the energy exchanged between two moments, and the negligible energy of all particles
+/// [J].
+double energy_scale(const Scene& scene, const EnergyLedger& start, const EnergyLedger& end,
+                    const ParticleTable& particles);
+
+}  // namespace recoat
