@@ -20,7 +20,7 @@ def dry_run(workflow, doubles, config):
 
 @pytest.mark.parametrize(
     "grid, layers, fills, figures",
-    [("reduced", 6, 4, 10), ("smoke", 4, 0, 11), ("paper", 15, 0, 11)],
+    [("reduced", 6, 4, 13), ("smoke", 4, 0, 14), ("paper", 15, 0, 14)],
 )
 def test_every_grid_is_planned(workflow, doubles, grid, layers, fills, figures):
     output = dry_run(workflow, doubles, f"config/{grid}.yaml")

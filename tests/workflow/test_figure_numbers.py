@@ -5,10 +5,13 @@ import json
 import numpy
 import pytest
 from derived_table import flatten, table as derived_table
-from fig10_cluster_size import CLASSES, class_label, class_of, class_shares
-from fig12_surface_height import class_counts, node_shares
-from layers import Layer, by_bond, relative_iqr, roughness
+from fig06_coordination_number import coordination_shares
+from fig10_cluster_size import class_label, shares_of as cluster_shares, size_classes
+from fig12_surface_height import height_shares
+from fig15_pore_size_distribution import cumulative
+from layers import Layer, by_bond
 from metrics_table import perpendicular
+from pore_metrics import pore_scalars
 from report import cell
 from runtime_table import table as runtime_table
 from style import bond_panels
@@ -24,31 +27,78 @@ def layer(tmp_path, bond=5.0, **values):
     return Layer(bond, 0.001, 1, str(path), "", {"block_dp": 2, "bed_block_dp": 2, "resamples": 200})
 
 
-def test_relative_iqr_and_roughness():
-    assert relative_iqr(numpy.arange(1.0, 6.0)) == pytest.approx(2 / 3)
-    assert roughness(numpy.array([[0.0, 1.0], [1.0, 0.0]])) == pytest.approx(0.5)
+def of(shares, **more):
+    """A quantity of the report with an interval."""
+    values = numpy.asarray(shares, dtype=float)
+    return {"value": values.tolist(), "lower": (values - 0.01).tolist(), "upper": (values + 0.02).tolist()} | more
 
 
-def test_every_cluster_size_has_one_class():
-    sizes = numpy.arange(1, 200)
-    classes = class_of(sizes)
-    assert classes[0] == -1
-    for size, number in zip(sizes[1:], classes[1:]):
-        first, last = CLASSES[number]
-        assert first <= size <= (last or size)
+def test_estimates_are_numbers_and_lists_with_null_as_not_a_number(tmp_path):
+    quantity = {"value": None, "lower": None, "upper": 2.5}
+    found = layer(tmp_path, uncertainty={"a": {"b": {"c": quantity, "d": of([0.1, 0.2])}}})
+    value, lower, upper = found.estimate("a/b", "c")
+    assert numpy.isnan(value) and numpy.isnan(lower) and upper == 2.5 and isinstance(value, float)
+    assert found.estimate("a/b", "d")[2].tolist() == pytest.approx([0.12, 0.22])
 
 
-def test_class_shares():
-    found = class_shares({"1": 0.5, "2": 0.2, "7": 0.1, "16": 0.05, "136": 0.15})
-    assert found.tolist() == pytest.approx([0.2, 0, 0, 0.1, 0.05, 0, 0, 0.15])
-    assert [class_label(*sizes) for sizes in (CLASSES[0], CLASSES[3], CLASSES[-1])] == ["2", "5–8", "≥ 65"]
+def test_cluster_classes_are_those_of_the_report_without_single_particles(tmp_path):
+    found = layer(tmp_path, uncertainty={"clusters": {"size_class_fraction": of([0.5, 0.3, 0.2], items=[1, 2, 5])}})
+    assert size_classes(found) == [(2, 4), (5, None)]
+    assert [class_label(*sizes) for sizes in [(2, 2), (2, 4), (5, None)]] == ["2", "2–4", "≥ 5"]
+    values, lower, _ = cluster_shares([found])
+    assert values.tolist() == [0.3, 0.2] and lower.tolist() == pytest.approx([0.29, 0.19])
 
 
-def test_height_classes_are_closed_above(tmp_path):
-    heights = [[0.0, 1.0, 1.0 + 1e-9], [0.25, 0.26, 1.4]]
-    counts = class_counts(layer(tmp_path, maps={"height": heights}), 6, 0.25)
-    assert counts.tolist() == [[1, 0, 0, 0, 2, 0, 0], [0, 1, 1, 0, 0, 0, 1]]
-    assert node_shares(counts).sum() == pytest.approx(1)
+def test_missing_classes_are_empty_ones(tmp_path):
+    uncertainty = {"height": {"empty_fraction": of(0.4), "fraction": of([0.1, 0.5])}, "clusters": {"cn_fraction": of([1.0])}}
+    found = layer(tmp_path, uncertainty=uncertainty)
+    values, _, upper = height_shares(found, 4)
+    assert values.tolist() == [0.4, 0.1, 0.5, 0, 0] and upper.tolist() == pytest.approx([0.42, 0.12, 0.52, 0, 0])
+    assert [part.tolist() for part in coordination_shares([found], 2)] == [[1, 0, 0], [0.99, 0, 0], [1.02, 0, 0]]
+
+
+def test_cumulative_share():
+    assert cumulative(numpy.array([3.0, 1.0, 1.0, 2.0]), [0.5, 1.0, 2.5, 3.0]).tolist() == [0, 0.5, 0.75, 1]
+    assert numpy.isnan(cumulative(numpy.array([]), [1.0])).all()
+
+
+def pores(count):
+    """Density pores and chambers at x = 0.5 (large) and 2.5 (small)."""
+    place = [0.5 if number % 2 else 2.5 for number in range(count)]
+    density = [
+        {"x": x, "diameter": 4.0 if x < 1 else 2.0, "cells": 12 if x < 1 else 3, "angle": 80.0 if x < 1 else 10.0, "elongation": 2.0}
+        for x in place
+    ]
+    groups = of([0, 0, 0.5, 0, 0.5, 0], items=list(range(6)))
+    sizes = {"count": of(count), "mean": of(3.0), "median": of(3.0), "group_number_fraction": groups}
+    return {
+        "maps": {"phi_exact": [[0.2] * 4] * 4},
+        "density_pores": {"8": {"max": 4.0, "pores": density}},
+        "chamber_pores": {"A": {"max": 4.0, "circles_x_y_d": [[x, 0.0, 4.0 if x < 1 else 0.7] for x in place]}},
+        "uncertainty": {
+            "block_columns": 1, "resamples": 300, "seed": 1,
+            "density_pores": {"8": sizes | {"area_fraction": of(0.3)}}, "chamber_pores": {"A": sizes},
+        },
+    }  # fmt: skip
+
+
+def test_pore_metrics(tmp_path):
+    found = pore_scalars(layer(tmp_path, **pores(6)))
+    assert found["pore_perpendicular"][0] == pytest.approx(12 / 15)  # by area
+    assert found["pore_iqr_dp"][0] == pytest.approx(2)
+    assert found["pore_largest_area"][0] == pytest.approx(12 / 16)
+    assert found["pore_group_2"][0] == 0.5
+    assert found["chamber_below_1"][0] == pytest.approx(0.5)
+    # A resample without a column of pores has none, or only those of the other.
+    assert found["chamber_below_1"][1:] == (0, 1)
+    assert found["pore_elongation"] == (2, 2, 2)
+
+
+def test_few_pores_prove_nothing(tmp_path):
+    found = pore_scalars(layer(tmp_path, **pores(4)))
+    assert found["pore_count"][0] == 4 and found["pore_area"][0] == 0.3
+    for name in ("pore_mean_dp", "pore_iqr_dp", "pore_perpendicular", "pore_group_2", "chamber_below_1"):
+        assert numpy.isnan(found[name]).all(), name
 
 
 def test_perpendicular_groups(tmp_path):

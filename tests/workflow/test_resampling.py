@@ -3,7 +3,7 @@
 import numpy
 import pytest
 
-from resampling import block_samples, counts_by_cell, interval, shares
+from resampling import block_samples, counts_by_cell, interval, scattered_interval, shares, split_mix
 
 
 def test_samples_are_blocks_of_neighbours_wrapped_round():
@@ -12,6 +12,26 @@ def test_samples_are_blocks_of_neighbours_wrapped_round():
     steps = numpy.diff(numbers.reshape(200, 2, 5), axis=2) % 10
     assert (steps == 1).all()
     assert set(numbers.ravel()) == set(range(10))
+
+
+def test_generator_is_split_mix_64():
+    assert [hex(number) for number in split_mix(0, 2).tolist()] == ["0xe220a8397b1dcdaf", "0x6e789e6aa1b965f4"]
+
+
+def test_values_scattered_over_cells_are_resampled_like_rows():
+    """One value in each cell is a row; cells without values leave resamples shorter."""
+    values = numpy.random.default_rng(4).normal(size=30)
+    rows = interval(values, numpy.mean, 5, 400)
+    order = numpy.random.default_rng(5).permutation(30)
+    assert scattered_interval(order, values[order], numpy.mean, 30, 5, 400) == pytest.approx(rows)
+    lower, upper = scattered_interval([3, 3, 7], [1.0, 1.0, 1.0], len, 10, 1, 4000)
+    assert (lower, upper) == (0, pytest.approx(7, abs=1))
+
+
+def test_undefined_resamples_are_left_out():
+    found = scattered_interval([0], [2.0], lambda chosen: chosen.mean() if len(chosen) else numpy.nan, 4, 1, 200)
+    assert found == (2, 2)
+    assert numpy.isnan(scattered_interval([], [], lambda chosen: numpy.nan, 4, 1, 200)).all()
 
 
 def test_block_longer_than_the_layer_is_the_layer():

@@ -61,7 +61,7 @@ def test_fill_box_is_between_blade_and_gate(state):
 
 
 def test_layer_region_is_the_path_less_its_ends(state):
-    region = layer_region(state, 20, 10, [10])
+    region = layer_region(state, 20, 10, {"voxels_per_dp": [10]})
     assert region["x_range"] == pytest.approx([20 * DIAMETER, 50 * DIAMETER])
     assert region["h_b"] == pytest.approx(1.5 * DIAMETER)
     assert region["y_period"] == pytest.approx(12 * DIAMETER)
@@ -69,18 +69,18 @@ def test_layer_region_is_the_path_less_its_ends(state):
 
 def test_layer_region_is_a_whole_number_of_cells(state):
     state.info["spread_length"] = 60.7 * DIAMETER
-    start, end = layer_region(state, 20, 10, [10])["x_range"]
+    start, end = layer_region(state, 20, 10, {"voxels_per_dp": [10]})["x_range"]
     assert (end - start) / DIAMETER == pytest.approx(30)
 
 
 def test_paper_region(state):
     state.info["spread_length"] = 500 * DIAMETER
-    assert layer_region(state, 100, 10, [])["x_range"] == pytest.approx([100 * DIAMETER, 490 * DIAMETER])
+    assert layer_region(state, 100, 10, {})["x_range"] == pytest.approx([100 * DIAMETER, 490 * DIAMETER])
 
 
 def test_spread_too_short(state):
     with pytest.raises(Implausible, match="the blade spread 60 particle diameters, of which 50 at the start"):
-        layer_region(state, 50, 10, [])
+        layer_region(state, 50, 10, {"voxels_per_dp": []})
 
 
 def test_bed_region_reaches_to_nine_tenths_of_the_top(state):

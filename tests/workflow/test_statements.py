@@ -3,6 +3,7 @@
 import numpy
 import pandas
 import pytest
+from pore_statements import PORE_STATEMENTS, alike, dominant
 from statements import LAYER_STATEMENTS, bed_independence, evaluate, inertial_lengths, ratio_statements
 from verdicts import AGREES, DIFFERS, NOT_TESTABLE, Grid, between, only, trend, within
 
@@ -36,6 +37,48 @@ def table(name, values, half=0.01):
 )
 def test_local_minimum(values, verdict):
     text, found = trend("m", [5, 50, 200], [-1, 1])(Grid(table("m", values)))
+    assert found == verdict, text
+
+
+def test_only_the_side_that_faces_the_other_value_counts():
+    rows = table("m", {0: 5.0, 50: 1.0}, 0.0)
+    for lower, upper, verdict in ((4.5, 20.0, AGREES), (0.5, 5.1, NOT_TESTABLE)):
+        rows.loc[0, ["m_lower", "m_upper"]] = lower, upper
+        assert trend("m", [0, 50], [-1])(Grid(rows))[1] == verdict
+
+
+def groups(values, half=0.05):
+    """Shares of pores in groups at Bo = 5."""
+    rows = [table(f"pore_group_{k}", {5: value}, half) for k, value in enumerate(values)]
+    return Grid(pandas.concat([row.set_index("bond_number") for row in rows], axis=1).reset_index())
+
+
+@pytest.mark.parametrize(
+    "values, verdict",
+    [
+        ([0.1, 0.2, 0.7], AGREES),
+        ([0.1, 0.6, 0.3], DIFFERS),
+        ([0.1, 0.42, 0.48], NOT_TESTABLE),
+        ([0.1, numpy.nan, 0.7], NOT_TESTABLE),
+    ],
+)
+def test_dominant_group(values, verdict):
+    text, found = dominant("pore", 5, 2, range(3))(groups(values))
+    assert found == verdict, text
+    assert dominant("pore", 77, 2, range(3))(groups(values))[1] == NOT_TESTABLE
+
+
+@pytest.mark.parametrize(
+    "values, half, verdict",
+    [
+        ({0: 0.40, 1: 0.45, 5: 0.48}, 0.01, AGREES),
+        ({0: 0.40, 1: 0.45, 5: 0.60}, 0.01, DIFFERS),
+        ({0: 0.40, 5: 0.55}, 0.04, NOT_TESTABLE),
+        ({0: 0.40, 5: numpy.nan}, 0.01, NOT_TESTABLE),
+    ],
+)
+def test_alike(values, half, verdict):
+    text, found = alike("m", between(0), 0.1)(Grid(table("m", values, half)))
     assert found == verdict, text
 
 
@@ -116,7 +159,7 @@ def test_layers_at_several_ratios():
 def test_every_statement_can_be_evaluated_without_its_cases():
     """A grid without cases gives no verdict."""
     empty = Grid(pandas.DataFrame({"bond_number": [], "stiffness_ratio": []}))
-    for _, _, condition in LAYER_STATEMENTS:
+    for _, _, condition in LAYER_STATEMENTS + PORE_STATEMENTS:
         if condition:
             assert condition(empty)[1] == NOT_TESTABLE
 

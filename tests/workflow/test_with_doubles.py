@@ -30,8 +30,8 @@ def test_grid_to_report_and_nothing_to_do_afterwards(workflow, doubles):
     assert code == 0, output
     page = (workflow.folder / REPORT).read_text()
     figures = sorted((workflow.folder / "results/smoke/figures").glob("*.png"))
-    assert len(figures) == 11
-    assert page.count("data:image/png;base64,") == 11
+    assert len(figures) == 14
+    assert page.count("data:image/png;base64,") == 14
     assert not re.search(r'(src|href)="(?!data:|#)', page)
     for text in ("seed 1", "version 0.0-double", "layers/bond-50_ratio-0.001_seed-1/layer.json", "paper says"):
         assert text in page

@@ -14,7 +14,12 @@ rule layer_region:
     params:
         skip_start_dp=config["layer_region"]["skip_start_dp"],
         skip_end_dp=config["layer_region"]["skip_end_dp"],
-        voxels_per_dp=config["voxels_per_dp"],
+        settings={
+            "voxels_per_dp": config["voxels_per_dp"],
+            "chamber_min_diameter": config["chamber_min_diameter_dp"],
+            "bootstrap_block": config["bootstrap"]["block_dp"],
+            "bootstrap_resamples": config["bootstrap"]["resamples"],
+        },
     log:
         case_file("layer_region.log", kind="layers"),
     benchmark:

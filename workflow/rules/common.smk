@@ -114,6 +114,9 @@ FIGURES = {
         "fig11_cluster_orientation": REFERENCE_LAYERS,
         "fig12_surface_height": REFERENCE_LAYERS,
         "fig13_roughness": REFERENCE_LAYERS,
+        "fig14_pore_maps": REFERENCE_LAYERS,
+        "fig15_pore_size_distribution": REFERENCE_LAYERS,
+        "fig16_pore_size_groups": REFERENCE_LAYERS,
     }.items()
     if cases
 }

@@ -10,7 +10,9 @@ rule figure:
         metrics=figure_metrics,
         states=figure_states,
         script=script_file("{figure}"),
-        modules=[script_file(name) for name in ("layers", "resampling", "states", "style", "reporting")],
+        modules=[
+            script_file(name) for name in ("layers", "pore_metrics", "resampling", "states", "style", "reporting")
+        ],
     output:
         vector=grid_file("figures/{figure}.pdf"),
         bitmap=report(grid_file("figures/{figure}.png"), caption="../report/figure.rst", category="Figures"),

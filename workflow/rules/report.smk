@@ -10,7 +10,9 @@ rule metrics_table:
         layers=case_files("layer.json", LAYERS),
         states=case_files("spread.vtkhdf", LAYERS),
         script=script_file("metrics_table"),
-        modules=[script_file("layers"), script_file("resampling"), script_file("states"), script_file("reporting")],
+        modules=[
+            script_file(name) for name in ("layers", "pore_metrics", "resampling", "states", "reporting")
+        ],
     output:
         grid_file("tables/metrics.csv"),
     params:
@@ -104,7 +106,7 @@ rule comparison_table:
         beds=grid_file("tables/beds.csv"),
         derived=case_files("derived.json", REFERENCE_LAYERS),
         script=script_file("comparison_table"),
-        modules=[script_file("statements"), script_file("verdicts"), script_file("reporting")],
+        modules=[script_file(name) for name in ("statements", "pore_statements", "pore_metrics", "verdicts", "reporting")],
     output:
         grid_file("tables/comparison.csv"),
     params:

@@ -7,9 +7,14 @@ from reporting import logged
 from style import PAGE, bond_colours, bond_label, bond_panels, grouped_bars, pyplot, save
 
 
+def padded(shares, count):
+    """Shares of CN = 0..count - 1; no particle has a larger number than the list tells."""
+    return numpy.pad(shares, (0, count - len(shares)))
+
+
 def coordination_shares(members, largest):
     """Mean over the seeds of the shares of CN = 0..largest, with the bootstrap interval or the range of the seeds."""
-    results = [layer.share_interval(layer.coordination, largest + 1) for layer in members]
+    results = [[padded(part, largest + 1) for part in layer.estimate("clusters", "cn_fraction")] for layer in members]
     if len(results) == 1:
         return results[0]
     values = numpy.array([value for value, _, _ in results])

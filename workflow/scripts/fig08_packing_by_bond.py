@@ -3,7 +3,7 @@
 import numpy
 from matplotlib.cbook import boxplot_stats
 
-from layers import by_bond, load_layers, relative_iqr
+from layers import by_bond, load_layers
 from reporting import logged
 from style import PAGE, bond_colours, bond_series, pyplot, save
 
@@ -25,7 +25,7 @@ def draw_boxes(axes, groups, colours):
 
 def spread_of(layer):
     """IQR over median with its 95 % interval."""
-    return relative_iqr(layer.packing), *layer.interval(layer.packing, relative_iqr)
+    return layer.estimate("phi_exact", "iqr_over_median")
 
 
 def draw(layers):

@@ -13,29 +13,18 @@ def class_edges(layers):
 
 
 def height_shares(layer, count):
-    """Share of empty nodes, then of each class of height."""
-    fractions = layer.metrics["height"]["fraction"]
-    return numpy.array([layer.metrics["height"]["empty_fraction"], *fractions, *[0.0] * (count - len(fractions))])
-
-
-def class_counts(layer, count, width):
-    """Nodes of each class in each row along x, [rows, classes]; classes are closed above."""
-    number = numpy.where(layer.height > 0, numpy.ceil(layer.height / width - 1e-6).astype(int), 0)
-    return numpy.stack([(number == group).sum(axis=1) for group in range(count + 1)], axis=1)
-
-
-def node_shares(counts):
-    """Shares of the classes over all rows."""
-    return counts.sum(axis=0) / counts.sum()
+    """Share of empty nodes, then of each class of height, with intervals."""
+    empty, classes = layer.estimate("height", "empty_fraction"), layer.estimate("height", "fraction")
+    return [numpy.pad(numpy.append(e, c), (0, count - len(c))) for e, c in zip(empty, classes, strict=True)]
 
 
 def shares_of(members, edges):
     """Mean shares with bootstrap interval (one run) or range (several)."""
-    values = numpy.array([height_shares(layer, len(edges)) for layer in members])
-    if len(members) > 1:
-        return values.mean(axis=0), values.min(axis=0), values.max(axis=0)
-    counts = class_counts(members[0], len(edges), edges[0])
-    return values[0], *members[0].interval(counts, node_shares)
+    results = [height_shares(layer, len(edges)) for layer in members]
+    if len(results) == 1:
+        return results[0]
+    values = numpy.array([value for value, _, _ in results])
+    return values.mean(axis=0), values.min(axis=0), values.max(axis=0)
 
 
 def draw(layers):

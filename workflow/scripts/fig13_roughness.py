@@ -1,13 +1,13 @@
 """Figure 13: surface roughness against the Bond number."""
 
-from layers import by_bond, load_layers, roughness
+from layers import by_bond, load_layers
 from reporting import logged
 from style import COLUMN, bond_series, pyplot, save
 
 
 def roughness_of(layer):
     """Ra of the analyser with the 95 % interval of its map [d_p]."""
-    return layer.metrics["height"]["Ra"], *layer.interval(layer.height, roughness)
+    return layer.estimate("height", "Ra")
 
 
 def draw(layers):

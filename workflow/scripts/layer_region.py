@@ -4,8 +4,11 @@ from reporting import Implausible, logged, write_json
 from states import read_state
 
 
-def layer_region(state, skip_start_dp, skip_end_dp, voxels_per_dp):
-    """Configuration of recoat-analyze for the layer behind the blade; lengths in metres [paper, section 3]."""
+def layer_region(state, skip_start_dp, skip_end_dp, settings):
+    """Configuration of recoat-analyze for the layer behind the blade; lengths in metres [paper, section 3].
+
+    `settings` are further keys of that configuration.
+    """
     diameter = state.diameter
     start = float(state.info["blade_start"])
     spread_dp = float(state.info["spread_length"]) / diameter
@@ -23,7 +26,7 @@ def layer_region(state, skip_start_dp, skip_end_dp, voxels_per_dp):
         "x_range": [lower, lower + cells * diameter],
         "y_min": float(state.info["y_min"]),
         "y_period": float(state.info["y_period"]),
-        "voxels_per_dp": voxels_per_dp,
+        **settings,
     }
 
 
@@ -33,5 +36,5 @@ if __name__ == "__main__":
         state = read_state(snakemake.input.state)
         write_json(
             snakemake.output[0],
-            layer_region(state, params.skip_start_dp, params.skip_end_dp, params.voxels_per_dp),
+            layer_region(state, params.skip_start_dp, params.skip_end_dp, dict(params.settings)),
         )

@@ -6,7 +6,7 @@ from functools import cached_property
 import numpy
 
 from reporting import read_json
-from resampling import counts_by_cell, interval, shares
+from resampling import counts_by_cell, interval, scattered_interval, shares
 from states import read_state
 
 
@@ -69,6 +69,36 @@ class Layer:
         """Angle of the cluster of every particle to the spreading direction [degrees]; not a number where none."""
         return numpy.array(self.metrics["particles"]["cluster_angle"], dtype=float)
 
+    def estimate(self, group, name):
+        """A quantity of the report with its 95 % interval: value, lower, upper; arrays for a list."""
+        found = self.metrics["uncertainty"]
+        for part in [*group.split("/"), name]:
+            found = found[part]
+        values = [numpy.array(found[key], dtype=float) for key in ("value", "lower", "upper")]
+        return tuple(value if value.ndim else float(value) for value in values)
+
+    @property
+    def resampling(self):
+        """The report's own blocks, resamples and seed."""
+        made = self.metrics["uncertainty"]
+        return {"block": made["block_columns"], "resamples": made["resamples"], "seed": made["seed"]}
+
+    @cached_property
+    def density_pores(self):
+        """Density pores of the report, by 8 neighbours, from large to small."""
+        return self.metrics["density_pores"]["8"]["pores"]
+
+    @cached_property
+    def chambers(self):
+        """Chamber pores by rule A: x, y from the start of the region, diameter [d_p]."""
+        return numpy.array(self.metrics["chamber_pores"]["A"]["circles_x_y_d"], dtype=float).reshape(-1, 3)
+
+    def pore_interval(self, x, values, statistic):
+        """95 % interval of a statistic of values of pores, resampled with the columns that their middles x lie in."""
+        cells = round(self.x_range[1] - self.x_range[0])
+        cell = numpy.clip(numpy.floor(numpy.asarray(x, dtype=float) + 1e-6), 0, cells - 1)
+        return scattered_interval(cell, values, statistic, cells, **self.resampling)
+
     def counts(self, group, groups):
         """Particles of each group in each cell of length d_p along x; see counts_by_cell."""
         lower, upper = self.x_range
@@ -76,8 +106,8 @@ class Layer:
         return counts_by_cell(position, lower, 1.0, round(upper - lower), numpy.asarray(group), groups)
 
     def interval(self, values, statistic):
-        """95 % interval of a statistic of rows along x."""
-        return interval(values, statistic, self.bootstrap["block_dp"], self.bootstrap["resamples"])
+        """95 % interval of a statistic of rows along x that the report does not have."""
+        return interval(values, statistic, **self.resampling)
 
     def share_interval(self, group, groups):
         """Shares of groups of particles and their 95 % interval."""
@@ -98,17 +128,6 @@ def by_bond(layers):
     """Layers grouped by Bond number, ascending; each group holds the seeds."""
     bonds = sorted({layer.bond for layer in layers})
     return {bond: [layer for layer in layers if layer.bond == bond] for bond in bonds}
-
-
-def relative_iqr(values):
-    """Interquartile range over the median [paper, figure 8b]."""
-    lower, median, upper = numpy.percentile(values, [25, 50, 75])
-    return (upper - lower) / median if median > 0 else numpy.nan
-
-
-def roughness(heights):
-    """Ra: mean absolute deviation of the surface height, empty nodes as 0."""
-    return numpy.abs(heights - heights.mean()).mean()
 
 
 def column_density(packing):

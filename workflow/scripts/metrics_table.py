@@ -1,10 +1,16 @@
-"""Scalar metrics of every layer with the 95 % interval of a block bootstrap along x, one row per case."""
+"""Scalar metrics of every layer with the 95 % interval of a block bootstrap along x, one row per case.
+
+Intervals are those of the report where it has them; the others are made with the same resamples.
+"""
 
 import numpy
 import pandas
 
-from layers import load_layers, relative_iqr, roughness
+from layers import load_layers
+from pore_metrics import pore_scalars
 from reporting import logged, write_text
+
+UNKNOWN = (numpy.nan, numpy.nan)  # extreme values and counts of the whole layer: resampling does not tell their scatter
 
 
 def perpendicular(layer, sizes):
@@ -30,25 +36,29 @@ def node_share(layer, condition):
     return float(condition.mean()), *layer.interval(condition, numpy.mean)
 
 
+def coordination_share(layer, number):
+    """Share of particles with this many contacts; none has more than the report's list tells."""
+    values = layer.estimate("clusters", "cn_fraction")
+    return tuple(part[number] if number < len(part) else 0.0 for part in values)
+
+
 def scalars(layer):
     """Name -> (value, lower, upper)."""
-    metrics = layer.metrics
-    packing, height = layer.packing, layer.height
-    base_distance = (layer.state.points[:, 2] - layer.state.radius) / layer.diameter
+    metrics, height = layer.metrics, layer.height
     result = {
-        "packing_median": (metrics["phi_exact"]["median"], *layer.interval(packing, numpy.median)),
-        "packing_iqr_over_median": (metrics["phi_exact"]["iqr_over_median"], *layer.interval(packing, relative_iqr)),
-        "packing_largest": (metrics["phi_exact"]["max"], numpy.nan, numpy.nan),
-        "roughness_dp": (metrics["height"]["Ra"], *layer.interval(height, roughness)),
-        "empty_area": (metrics["height"]["empty_fraction"], *node_share(layer, height <= 0)[1:]),
+        "packing_median": layer.estimate("phi_exact", "median"),
+        "packing_iqr_over_median": layer.estimate("phi_exact", "iqr_over_median"),
+        "packing_largest": (metrics["phi_exact"]["max"], *UNKNOWN),
+        "roughness_dp": layer.estimate("height", "Ra"),
+        "empty_area": layer.estimate("height", "empty_fraction"),
         "height_0.75_to_1": node_share(layer, (height > 0.75 + 1e-6) & (height <= 1 + 1e-6)),
         "height_above_1": node_share(layer, height > 1 + 1e-6),
-        "height_largest_dp": (metrics["height"]["max"], numpy.nan, numpy.nan),
-        "particles": (metrics["clusters"]["n_particles"], numpy.nan, numpy.nan),
-        "largest_coordination_number": (len(metrics["clusters"]["cn_counts"]) - 1, numpy.nan, numpy.nan),
-        "largest_cluster": (max(map(int, metrics["clusters"]["size_fraction"])), numpy.nan, numpy.nan),
-        "touching_base": share(layer, base_distance < 0.005),
-        "centre_above_1": share(layer, layer.state.points[:, 2] / layer.diameter > 1),
+        "height_largest_dp": (metrics["height"]["max"], *UNKNOWN),
+        "particles": (metrics["clusters"]["n_particles"], *UNKNOWN),
+        "largest_coordination_number": (len(metrics["clusters"]["cn_counts"]) - 1, *UNKNOWN),
+        "largest_cluster": (max(map(int, metrics["clusters"]["size_fraction"])), *UNKNOWN),
+        "touching_base": layer.estimate("vertical", "fraction_touching_base"),
+        "centre_above_1": layer.estimate("vertical", "fraction_above_1dp"),
         "clustered": share(layer, layer.cluster_size > 1),
         "cluster_2_to_3": share(layer, (layer.cluster_size > 1) & (layer.cluster_size < 4)),
         "cluster_above_2": share(layer, layer.cluster_size > 2),
@@ -58,8 +68,8 @@ def scalars(layer):
         "perpendicular_doublets": last_share(*layer.share_interval(perpendicular(layer, [2]), 2)),
     }
     for number in range(6):
-        result[f"coordination_{number}"] = share(layer, layer.coordination == number)
-    return result
+        result[f"coordination_{number}"] = coordination_share(layer, number)
+    return result | pore_scalars(layer)
 
 
 def table(layers):

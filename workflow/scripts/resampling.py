@@ -1,27 +1,61 @@
-"""Intervals of single runs by the circular block bootstrap: neighbouring places of a layer are not independent."""
+"""Intervals of single runs by the circular block bootstrap: neighbouring places of a layer are not independent.
+
+The resamples are those of recoat-analyze, number for number, so that what is computed here and what it reports belong
+together.
+"""
+
+import warnings
 
 import numpy
 
 LEVEL = 0.95
 
 
-def block_samples(rows, block, resamples, seed=0):
+def split_mix(seed, count):
+    """The first outputs of the generator SplitMix64."""
+    with numpy.errstate(over="ignore"):
+        z = numpy.uint64(seed) + numpy.arange(1, count + 1, dtype=numpy.uint64) * numpy.uint64(0x9E3779B97F4A7C15)
+        z = (z ^ (z >> numpy.uint64(30))) * numpy.uint64(0xBF58476D1CE4E5B9)
+        z = (z ^ (z >> numpy.uint64(27))) * numpy.uint64(0x94D049BB133111EB)
+    return z ^ (z >> numpy.uint64(31))
+
+
+def block_samples(rows, block, resamples, seed=1):
     """Row numbers of each resample, [resamples, rows]: blocks of consecutive rows, wrapped round the end."""
     block = min(block, rows)
     blocks = -(-rows // block)
-    starts = numpy.random.default_rng(seed).integers(0, rows, size=(resamples, blocks))
+    random = (split_mix(seed, resamples * blocks) >> numpy.uint64(32)).reshape(resamples, blocks)
+    starts = ((random * numpy.uint64(rows)) >> numpy.uint64(32)).astype(int)
     numbers = (starts[:, :, None] + numpy.arange(block)) % rows
     return numbers.reshape(resamples, blocks * block)[:, :rows]
 
 
-def interval(values, statistic, block, resamples):
+def central(results):
+    """Ends of the central 95 % of results, those not a number left out; not a number where fewer than two are left."""
+    results = numpy.asarray(results, dtype=float)
+    tail = 50 * (1 - LEVEL)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", RuntimeWarning)
+        bounds = numpy.nanpercentile(results, [tail, 100 - tail], axis=0)
+    lower, upper = numpy.where(numpy.isfinite(results).sum(axis=0) < 2, numpy.nan, bounds)
+    return lower, upper
+
+
+def interval(values, statistic, block, resamples, seed=1):
     """Central 95 % of `statistic(values[chosen rows])` over block resamples of the first axis."""
     values = numpy.asarray(values)
-    numbers = block_samples(len(values), block, resamples)
-    results = numpy.array([statistic(values[chosen]) for chosen in numbers], dtype=float)
-    tail = 50 * (1 - LEVEL)
-    lower, upper = numpy.nanpercentile(results, [tail, 100 - tail], axis=0)
-    return lower, upper
+    numbers = block_samples(len(values), block, resamples, seed)
+    return central([statistic(values[chosen]) for chosen in numbers])
+
+
+def scattered_interval(cell, values, statistic, cells, block, resamples, seed=1):
+    """The same for values (rows) of which each belongs to one of the cells along x, some cells having none."""
+    cell, values = numpy.asarray(cell, dtype=int), numpy.asarray(values)
+    results = []
+    for chosen in block_samples(cells, block, resamples, seed):
+        repeats = numpy.bincount(chosen, minlength=cells)[cell]
+        results.append(statistic(numpy.repeat(values, repeats, axis=0)))
+    return central(results)
 
 
 def counts_by_cell(position, start, cell, cells, group, groups):

@@ -2,6 +2,7 @@
 
 import math
 
+from pore_statements import PORE_STATEMENTS
 from verdicts import AGREES, DIFFERS, NOT_TESTABLE, Grid, between, missing, only, trend, within
 
 RISE, FALL = 1, -1
@@ -160,6 +161,7 @@ def evaluate(metrics, beds, reference_ratio, derived):
     rows += ratio_statements(metrics)
     for figure, statement, condition in LAYER_STATEMENTS:
         rows.append((figure, statement, *(condition or largest_cluster)(grid)))
+    rows += [(figure, statement, *condition(grid)) for figure, statement, condition in PORE_STATEMENTS]
     return rows + inertial_lengths(derived)
 
 

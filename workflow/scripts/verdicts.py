@@ -58,12 +58,16 @@ def missing(bonds):
 
 
 def step_sign(before, after):
-    """1 or -1 where the change is larger than its uncertainty, 0 where it is not or a value is undefined."""
+    """1 or -1 where the change is larger than its uncertainty, 0 where it is not or a value is undefined.
+
+    Intervals may be skew: of each only the side that faces the other value counts.
+    """
     change = after.value - before.value
     if not math.isfinite(change):
         return 0
-    half = [0.5 * (m.upper - m.lower) if math.isfinite(m.upper - m.lower) else 0.0 for m in (before, after)]
-    return 0 if abs(change) <= math.hypot(*half) else int(math.copysign(1, change))
+    low, high = (before, after) if change > 0 else (after, before)
+    sides = [side if math.isfinite(side) else 0.0 for side in (low.upper - low.value, high.value - high.lower)]
+    return 0 if abs(change) <= math.hypot(*sides) else int(math.copysign(1, change))
 
 
 def trend(name, bonds, signs, scale=100, unit=" %"):

@@ -1,0 +1,99 @@
+"""Figure 14: density pores coloured by their orientation, and chamber pores coloured by their size."""
+
+import numpy
+from matplotlib.collections import EllipseCollection
+from matplotlib.colors import ListedColormap
+
+from layers import by_bond, load_layers
+from reporting import logged
+from style import PAGE, bond_label, pyplot, save
+
+SECTION = 80  # longest part of a layer that is shown [d_p]
+ORIENTATION, SIZE = "viridis", "plasma"
+NO_ANGLE = "0.55"  # round the period, or without a direction that stands out
+PARTICLE = "0.86"
+
+
+def disks(axes, x, y, diameters, **style):
+    """Circles of true size; those over the periodic boundary are drawn on both sides."""
+    low, high = axes.get_ylim()
+    places = numpy.vstack([numpy.column_stack([x, y + turn * (high - low)]) for turn in (-1, 0, 1)])
+    collection = EllipseCollection(
+        *2 * [numpy.tile(diameters, 3)],
+        numpy.zeros(len(places)),
+        units="xy",
+        offsets=places,
+        offset_transform=axes.transData,
+        **style,
+    )
+    axes.add_collection(collection)
+    return collection
+
+
+def draw_particles(axes, layer):
+    """The layer in light grey."""
+    position = layer.state.points / layer.diameter
+    y = (position[:, 1] - layer.metrics["config"]["y_min"] / layer.diameter) % layer.width
+    near = (position[:, 0] > layer.x_range[0] - 1) & (position[:, 0] < layer.x_range[1] + 1)
+    diameters = 2 * layer.state.radius / layer.diameter
+    disks(axes, position[near, 0], y[near], diameters[near], facecolors=PARTICLE, edgecolors="none")
+
+
+def draw_density_pores(axes, layer, extent):
+    """Cells of the pores, coloured by the angle of their pore."""
+    numbers = numpy.array(layer.metrics["maps"]["density_pore_8"])
+    angles = numpy.array([numpy.nan] + [pore.get("angle") for pore in layer.density_pores], dtype=float)
+    cells = (layer.x_range[0], layer.x_range[1], 0, layer.width)
+    show = {"origin": "lower", "extent": cells, "interpolation": "nearest", "aspect": "equal"}
+    undirected = numpy.where((numbers > 0) & numpy.isnan(angles[numbers]), 1.0, numpy.nan)
+    axes.imshow(undirected.T, cmap=ListedColormap([NO_ANGLE]), **show)
+    image = axes.imshow(angles[numbers].T, cmap=ORIENTATION, vmin=0, vmax=90, alpha=0.9, **show)
+    axes.set_xlim(*extent)
+    return image
+
+
+def draw_chambers(axes, layer, largest):
+    """Circles of the chambers, coloured by their diameter."""
+    x, y, diameter = layer.chambers.T
+    circles = disks(axes, x + layer.x_range[0], y, diameter, cmap=SIZE, edgecolors="black", linewidths=0.2)
+    circles.set_array(numpy.tile(diameter, 3))
+    circles.set_clim(0, largest)
+    return circles
+
+
+def draw(layers):
+    shown = [members[0] for members in by_bond(layers).values()]
+    length = min(SECTION, min(layer.x_range[1] - layer.x_range[0] for layer in shown))
+    # The few chambers of a nearly empty layer would leave the others one colour.
+    largest = numpy.ceil(numpy.percentile(numpy.concatenate([layer.chambers[:, 2] for layer in shown] + [[1.0]]), 99))
+    row = 0.42 * PAGE * shown[0].width / length + 0.14
+    figure, panels = pyplot.subplots(
+        len(shown), 2, figsize=(PAGE, len(shown) * row + 0.8), sharex=False, sharey=True, squeeze=False
+    )
+    for (left, right), layer in zip(panels, shown):
+        extent = (layer.x_range[0], layer.x_range[0] + length)
+        for axes in (left, right):
+            axes.set_aspect("equal")
+            axes.set_xlim(*extent)
+            axes.set_ylim(0, layer.width)
+            axes.spines[["top", "right"]].set_visible(True)
+            draw_particles(axes, layer)
+        image = draw_density_pores(left, layer, extent)
+        left.set_ylim(0, layer.width)
+        circles = draw_chambers(right, layer, largest)
+        left.set_ylabel(f"{bond_label(layer.bond)}\n$y/d_p$")
+        for axes in (left, right):
+            axes.tick_params(labelbottom=layer is shown[-1])
+    for axes in panels[-1]:
+        axes.set_xlabel(r"$x/d_p$ [–] (spreading direction)")
+    bar = figure.colorbar(image, ax=panels[:, 0], location="bottom", shrink=0.8, aspect=35, ticks=range(0, 91, 15))
+    bar.set_label("Angle of density pore to the spreading direction [°]")
+    bar = figure.colorbar(circles, ax=panels[:, 1], location="bottom", shrink=0.8, aspect=35, extend="max")
+    bar.set_label(r"Diameter of chamber pore $D/d_p$ [–]")
+    return figure
+
+
+if __name__ == "__main__":
+    with logged(snakemake):
+        layers = load_layers(snakemake)
+        save(draw(layers), snakemake, layers, "One seed of each Bond number is shown.")

@@ -1,0 +1,66 @@
+"""Figure 15: cumulative size distribution of (a) density pores, (b) chamber pores."""
+
+import numpy
+
+from layers import by_bond, load_layers
+from reporting import logged
+from style import PAGE, bond_colours, bond_label, pyplot, save
+
+FEWEST_FOR_BAND = 20  # pores; the band of fewer would cover the whole panel
+
+
+def density_sizes(layer):
+    """x and diameter of the density pores [d_p]."""
+    return numpy.array([(pore["x"], pore["diameter"]) for pore in layer.density_pores]).reshape(-1, 2).T
+
+
+def chamber_sizes(layer):
+    """x and diameter of the chambers [d_p]."""
+    return layer.chambers[:, [0, 2]].T
+
+
+def cumulative(sizes, at):
+    """Share of the sizes up to each of the given ones; not a number without sizes."""
+    if len(sizes) == 0:
+        return numpy.full(len(at), numpy.nan)
+    return numpy.searchsorted(numpy.sort(sizes), at, side="right") / len(sizes)
+
+
+def draw_panel(axes, groups, colours, sizes_of):
+    """A step curve for each Bond number over the sizes of all its seeds; the band is the interval of a single run."""
+    for bond, members in groups.items():
+        sizes = numpy.sort(numpy.concatenate([sizes_of(layer)[1] for layer in members]))
+        if len(sizes) == 0:
+            axes.plot([], [], color=colours[bond], label=f"{bond_label(bond)} (none)")
+            continue
+        label = f"{bond_label(bond)} ({len(sizes)})"
+        steps = numpy.append(0, numpy.unique(sizes))
+        axes.step(steps, 100 * cumulative(sizes, steps), where="post", color=colours[bond], label=label, zorder=3)
+        if len(members) > 1 or len(sizes) < FEWEST_FOR_BAND:
+            continue
+        x, single = sizes_of(members[0])
+        lower, upper = members[0].pore_interval(x, single, lambda chosen: cumulative(chosen, steps))
+        axes.fill_between(steps, 100 * lower, 100 * upper, step="post", color=colours[bond], alpha=0.12, linewidth=0)
+    axes.set_xlim(left=0)
+    axes.set_ylim(0, 102)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, columnspacing=1.0)
+
+
+def draw(layers):
+    groups = by_bond(layers)
+    colours = bond_colours(groups)
+    figure, (left, right) = pyplot.subplots(1, 2, figsize=(PAGE, 0.42 * PAGE), sharey=True)
+    draw_panel(left, groups, colours, density_sizes)
+    draw_panel(right, groups, colours, chamber_sizes)
+    left.set_xlabel(r"Equivalent diameter of density pore $D/d_p$ [–]")
+    right.set_xlabel(r"Diameter of chamber pore $D/d_p$ [–]")
+    left.set_title("(a) density pores", pad=30)
+    right.set_title("(b) chamber pores", pad=30)
+    left.set_ylabel("Cumulative share of pores [%]")
+    return figure
+
+
+if __name__ == "__main__":
+    with logged(snakemake):
+        layers = load_layers(snakemake)
+        save(draw(layers), snakemake, layers)
