@@ -13,6 +13,20 @@ namespace {
 
 constexpr std::string_view alphabet = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
 
+constexpr std::uint32_t no_digit = 64;
+
+/// Value of every character as a digit of base64.
+constexpr auto digits = [] {
+    std::array<std::uint8_t, 256> table = {};
+    table.fill(no_digit);
+    for (std::size_t i = 0; i < alphabet.size(); ++i) {
+        table[static_cast<unsigned char>(alphabet[i])] = static_cast<std::uint8_t>(i);
+    }
+    return table;
+}();
+
+std::uint32_t digit(char c) { return digits[static_cast<unsigned char>(c)]; }
+
 std::size_t take_natural(ByteStream& stream, BlockHeader header) {
     return static_cast<std::size_t>(natural_from(stream.take(header.size), header.big_endian));
 }
@@ -30,10 +44,25 @@ std::string ByteStream::take(std::size_t count) {
     }
     bytes.reserve(count);
     while (bytes.size() < count) {
+        if (group_begin_ == group_end_) take_plain_groups(bytes, count);
+        if (bytes.size() == count) break;
         if (group_begin_ == group_end_) decode_group();
         bytes += group_[group_begin_++];
     }
     return bytes;
+}
+
+/// As many whole groups as come without white space or padding.
+void ByteStream::take_plain_groups(std::string& bytes, std::size_t count) {
+    while (bytes.size() + 3 <= count && text_.size() >= 4) {
+        const std::uint32_t a = digit(text_[0]), b = digit(text_[1]), c = digit(text_[2]), d = digit(text_[3]);
+        if (((a | b | c | d) & no_digit) != 0) return;
+        const std::uint32_t bits = (a << 18) | (b << 12) | (c << 6) | d;
+        const std::array<char, 3> group = {static_cast<char>(bits >> 16), static_cast<char>(bits >> 8),
+                                           static_cast<char>(bits)};
+        bytes.append(group.data(), group.size());
+        text_.remove_prefix(4);
+    }
 }
 
 /// Four characters make three bytes, fewer with padding.
@@ -45,10 +74,10 @@ void ByteStream::decode_group() {
         const char c = text_.front();
         text_.remove_prefix(1);
         if (c == ' ' || c == '\n' || c == '\r' || c == '\t') continue;
-        const std::size_t value = c == '=' ? 0 : alphabet.find(c);
-        if (value == std::string_view::npos || (c != '=' && padding > 0)) throw BlockError("is not written in base64");
+        const std::uint32_t value = c == '=' ? 0 : digit(c);
+        if (value == no_digit || (c != '=' && padding > 0)) throw BlockError("is not written in base64");
         padding += c == '=' ? 1 : 0;
-        bits = (bits << 6) | static_cast<std::uint32_t>(value);
+        bits = (bits << 6) | value;
         ++characters;
     }
     if (padding > 2) throw BlockError("is not written in base64");

@@ -22,6 +22,7 @@ public:
     [[nodiscard]] std::string take(std::size_t count);
 
 private:
+    void take_plain_groups(std::string& bytes, std::size_t count);
     void decode_group();
 
     std::string_view text_;

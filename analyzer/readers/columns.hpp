@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <optional>
 #include <span>
@@ -24,6 +25,15 @@ struct SizeColumn {
 
 /// The column of the identities of the particles.
 [[nodiscard]] std::optional<std::size_t> find_id(std::span<const std::string> names);
+
+/// The three columns of a vector.
+using VectorColumns = std::array<std::size_t, 3>;
+
+/// The columns with a usual name of the velocity: vx, velocity_x, "velocity:0" ...
+[[nodiscard]] std::optional<VectorColumns> find_velocity(std::span<const std::string> names);
+
+/// The columns with a usual name of the angular velocity: omegax, "AngularVelocity:0" ...
+[[nodiscard]] std::optional<VectorColumns> find_angular_velocity(std::span<const std::string> names);
 
 /// The column of the size: the one that the user chose, or that has a usual name of a radius or a diameter. When there
 /// is none that the user chose, calls `fail` with the problem.

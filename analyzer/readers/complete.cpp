@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -24,6 +25,13 @@ void scale_lengths(Source& source, const std::string& file, const ReadOptions& o
                                      file, *source.own_unit));
     }
     const double unit = options.length_unit.value_or(source.own_unit.value_or(1.0));
+    if (unit != source.time_unit) {
+        for (Vec3& v : source.velocity) v = (unit / source.time_unit) * v;
+    }
+    if (source.time_unit != 1) {
+        for (Vec3& v : source.angular_velocity) v = (1 / source.time_unit) * v;
+    }
+    source.time_unit = 1;
     if (unit == 1) return;
     for (Vec3& p : source.position) p = unit * p;
     for (double& radius : source.radius) radius *= unit;
@@ -61,7 +69,21 @@ void check_numbers(const Source& source, const std::string& file) {
     }
 }
 
+void check_velocities(const Source& source, const std::string& file) {
+    for (const auto* vectors : {&source.velocity, &source.angular_velocity}) {
+        for (std::size_t i = 0; i < vectors->size(); ++i) {
+            const Vec3 v = (*vectors)[i];
+            if (std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) continue;
+            throw InputError(
+                fmt::format("{}: particle {} has the {}velocity ({}, {}, {}), which must be finite; correct "
+                            "it or leave the velocities out",
+                            file, i, vectors == &source.velocity ? "" : "angular ", v.x, v.y, v.z));
+        }
+    }
+}
+
 void check_identities(const Source& source, const std::string& file) {
+    if (std::ranges::adjacent_find(source.id, std::greater_equal<>()) == source.id.end()) return;  // in order
     std::vector<std::size_t> order(source.id.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return source.id[i]; });
@@ -109,6 +131,7 @@ void complete(Source& source, const std::string& file, const ReadOptions& option
     scale_lengths(source, file, options);
     set_radius(source, file, options);
     check_numbers(source, file);
+    check_velocities(source, file);
     check_identities(source, file);
     if (source.box) check_box(source, file);
 }

@@ -14,6 +14,14 @@ namespace {
 constexpr std::size_t first_size = 4096;
 constexpr std::string_view hdf5_signature = "\x89HDF\r\n\x1a\n";
 
+/// At the start, or behind a block of the user.
+bool has_hdf5_signature(std::string_view head) {
+    for (const std::size_t place : {0U, 512U, 1024U, 2048U}) {
+        if (place < head.size() && head.substr(place).starts_with(hdf5_signature)) return true;
+    }
+    return false;
+}
+
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
@@ -32,7 +40,7 @@ std::string read_bytes(const std::filesystem::path& file) {
     for (std::size_t count = 1; count > 0;) {
         count = std::fread(bytes.data() + size, 1, bytes.size() - size, stream.get());
         size += count;
-        if (std::string_view(bytes).substr(0, size).starts_with(hdf5_signature)) break;
+        if (has_hdf5_signature(std::string_view(bytes).substr(0, size))) break;
         // One more than the file has, to meet its end.
         if (size == bytes.size()) bytes.resize(no_size || expected < size ? 2 * size : expected + 1);
     }
@@ -45,7 +53,7 @@ std::string read_bytes(const std::filesystem::path& file) {
 
 }  // namespace
 
-bool Content::is_hdf5() const { return bytes.starts_with(hdf5_signature); }
+bool Content::is_hdf5() const { return has_hdf5_signature(head()); }
 
 Content make_content(const std::filesystem::path& file, std::string bytes) {
     Content content{.file = file, .bytes = std::move(bytes), .packed = false};

@@ -15,7 +15,7 @@ struct Content {
     [[nodiscard]] std::string name() const { return file.string(); }
     /// The first bytes, enough to recognise a format by.
     [[nodiscard]] std::string_view head() const { return std::string_view(bytes).substr(0, 4096); }
-    /// Whether it begins like an HDF5 file.
+    /// Whether it begins like an HDF5 file, or has that beginning behind a block of up to 2048 bytes.
     [[nodiscard]] bool is_hdf5() const;
 };
 

@@ -32,19 +32,31 @@ std::string_view unquoted(std::string_view name) {
     return quoted ? name.substr(1, name.size() - 2) : name;
 }
 
-/// Takes a unit of length in brackets off the end of a name; nothing when there is none.
-std::optional<double> take_unit(std::string& name) {
+struct Unit {
+    Dimension dimension = Dimension::length;
+    double factor = 1;  ///< to the SI unit
+};
+
+/// The unit of what particles have in columns; nothing for anything else.
+std::optional<Unit> unit_of(const std::string& text) {
+    for (const Dimension dimension : {Dimension::length, Dimension::speed, Dimension::angular_velocity}) {
+        try {
+            return Unit{dimension, parse_quantity("1 " + text, dimension)};
+        } catch (const UnitError&) {
+            continue;  // brackets of another meaning
+        }
+    }
+    return {};
+}
+
+/// Takes a unit in brackets off the end of a name; nothing when there is none.
+std::optional<Unit> take_unit(std::string& name) {
     for (const char* brackets : {"[]", "()"}) {
         const std::size_t open = name.rfind(brackets[0]);
         if (open == std::string::npos || open == 0 || name.back() != brackets[1]) continue;
-        try {
-            const std::string unit = name.substr(open + 1, name.size() - open - 2);
-            const double metres = parse_quantity("1 " + unit, Dimension::length);
-            name = trimmed(std::string_view(name).substr(0, open));
-            return metres;
-        } catch (const UnitError&) {
-            return {};  // brackets of another meaning
-        }
+        const auto unit = unit_of(name.substr(open + 1, name.size() - open - 2));
+        if (unit) name = trimmed(std::string_view(name).substr(0, open));
+        return unit;
     }
     return {};
 }
@@ -58,6 +70,9 @@ public:
                     required('z', options.columns.z)};
         size_ = find_size(names_, options.columns, [this](const std::string& problem) { cursor_.fail(problem); });
         id_ = find_id(names_);
+        velocity_ = find_velocity(names_);
+        angular_velocity_ = find_angular_velocity(names_);
+        check_units();
         if (!size_ && !options.radius) {
             cursor_.fail(
                 "there is no column \"radius\" or \"diameter\"; the first line must name one, or the configuration "
@@ -74,9 +89,13 @@ public:
                 cursor_.fail(fmt::format("the line has {} columns, the first line names {}; make them agree",
                                          cursor_.cells().size(), names_.size()));
             }
-            source.position.push_back({length(columns_[0]), length(columns_[1]), length(columns_[2])});
+            source.position.push_back(vector(columns_, Dimension::length));
             if (size_) read_size(source);
             if (id_) source.id.push_back(identity());
+            if (velocity_) source.velocity.push_back(vector(*velocity_, Dimension::speed));
+            if (angular_velocity_) {
+                source.angular_velocity.push_back(vector(*angular_velocity_, Dimension::angular_velocity));
+            }
             source.line.push_back(cursor_.line_number());
         }
         if (has_units_) source.own_unit = 1.0;
@@ -131,13 +150,34 @@ private:
                         chosen.empty() ? std::string(1, axis) : chosen, axis));
     }
 
-    /// In the unit that the name of the column has, if any.
-    [[nodiscard]] double length(std::size_t column) const {
-        return units_[column].value_or(1.0) * cursor_.number(column, names_[column]);
+    /// The unit that the name of the column has, if any.
+    [[nodiscard]] double factor(std::size_t column, Dimension dimension) const {
+        const auto& unit = units_[column];
+        if (!unit) return 1;
+        if (unit->dimension == dimension) return unit->factor;
+        cursor_.fail(fmt::format("the unit of the column \"{}\" is none of {}; correct it", quotable(names_[column]),
+                                 dimension_name(dimension)));
+    }
+
+    void check_units() const {
+        const auto check = [this](const VectorColumns& columns, Dimension dimension) {
+            for (const std::size_t column : columns) (void)factor(column, dimension);
+        };
+        check(columns_, Dimension::length);
+        if (size_) (void)factor(size_->index, Dimension::length);
+        if (velocity_) check(*velocity_, Dimension::speed);
+        if (angular_velocity_) check(*angular_velocity_, Dimension::angular_velocity);
+    }
+
+    [[nodiscard]] Vec3 vector(const VectorColumns& columns, Dimension dimension) const {
+        const Vec3 v = cursor_.vector(columns, names_);
+        return {factor(columns[0], dimension) * v.x, factor(columns[1], dimension) * v.y,
+                factor(columns[2], dimension) * v.z};
     }
 
     void read_size(Source& source) const {
-        source.radius.push_back(size_->to_radius * length(size_->index));
+        source.radius.push_back(size_->to_radius * factor(size_->index, Dimension::length) *
+                                cursor_.number(size_->index, names_[size_->index]));
         if (!(source.radius.back() > 0)) {
             cursor_.fail_at(size_->index, names_[size_->index], "a particle must have a size above zero");
         }
@@ -156,8 +196,9 @@ private:
     TextCursor cursor_;
     char separator_ = ',';
     std::vector<std::string> names_;
-    std::vector<std::optional<double>> units_;  ///< of the columns [m]
-    std::array<std::size_t, 3> columns_ = {};
+    std::vector<std::optional<Unit>> units_;  ///< of the columns
+    VectorColumns columns_ = {};
+    std::optional<VectorColumns> velocity_, angular_velocity_;
     std::optional<SizeColumn> size_;
     std::optional<std::size_t> id_;
     bool has_units_ = false;

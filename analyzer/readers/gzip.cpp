@@ -14,7 +14,7 @@ namespace recoat {
 namespace {
 
 constexpr std::string_view magic = "\x1f\x8b";
-constexpr std::size_t first_size = std::size_t{1} << 20;
+constexpr std::size_t usual_ratio = 4;
 constexpr std::size_t largest_piece = std::size_t{1} << 30;  // zlib counts in 32 bits
 constexpr int window_of_gzip = 15 + 16;
 
@@ -29,7 +29,7 @@ public:
     Inflater& operator=(const Inflater&) = delete;
 
     std::string all() {
-        std::string bytes(first_size, '\0');
+        std::string bytes(usual_ratio * rest_.size(), '\0');
         std::size_t size = 0;
         while (true) {
             if (size == bytes.size()) bytes.resize(2 * size);

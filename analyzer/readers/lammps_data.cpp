@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/readers/lammps_velocities.hpp"
 #include "analyzer/readers/text_cursor.hpp"
 #include "common/number.hpp"
 
@@ -132,6 +133,7 @@ private:
                             "agree",
                             count_));
         }
+        if (trimmed(cursor_.line()).starts_with("Velocities")) read_lammps_velocities(cursor_, source_);
         if (bounds_ == 3) source_.box = box_;
         if (style_ != nullptr) source_.facts.emplace_back("atom style", style_->name);
         if (one_density && density > 0 && si_) source_.info.density = density;

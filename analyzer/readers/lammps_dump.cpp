@@ -21,7 +21,7 @@ Coordinate find_axis(const LammpsSnapshot& snapshot, const TextCursor& cursor, c
     if (!chosen.empty()) {
         if (const auto column = find_column(snapshot.columns, chosen)) return {.column = *column};
         cursor.fail(
-            fmt::format("there is no column \"{}\"; the dump has: {}", chosen, fmt::join(snapshot.columns, ", ")));
+            fmt::format("there is no column \"{}\"; the dump has: {}", chosen, quotable_list(snapshot.columns)));
     }
     struct Form {
         std::string_view ending;
@@ -36,7 +36,7 @@ Coordinate find_axis(const LammpsSnapshot& snapshot, const TextCursor& cursor, c
     cursor.fail(
         fmt::format("there is no column {0}, {0}s, {0}u or {0}su among those of the dump ({1}); dump the "
                     "positions of the atoms too",
-                    axis, fmt::join(snapshot.columns, ", ")));
+                    axis, quotable_list(snapshot.columns)));
 }
 
 /// Reads the atoms of one snapshot; the cursor stands on the line that names the columns.
@@ -48,13 +48,17 @@ public:
                  find_axis(snapshot, cursor_, 'z', chosen.z)};
         size_ = find_size(snapshot.columns, chosen, [this](const std::string& problem) { cursor_.fail(problem); });
         id_ = find_column(snapshot.columns, "id");
+        if (!snapshot.units.known()) return;
+        velocity_ = find_velocity(snapshot.columns);
+        angular_velocity_ = find_angular_velocity(snapshot.columns);
     }
 
     Source read() {
         Source source;
         source.box = snapshot_.box;
         for (std::size_t a = 0; a < 3; ++a) source.box->unwrapped[a] = axes_[a].unwrapped;
-        source.own_unit = snapshot_.unit;
+        source.own_unit = snapshot_.units.length;
+        source.time_unit = snapshot_.units.time;
         const Vec3 low = snapshot_.box.lower, high = snapshot_.box.upper;
         for (std::size_t i = 0; i < snapshot_.count; ++i) {
             next_atom();
@@ -62,6 +66,10 @@ public:
                 {coordinate(0, low.x, high.x), coordinate(1, low.y, high.y), coordinate(2, low.z, high.z)});
             if (size_) source.radius.push_back(radius());
             if (id_) source.id.push_back(cursor_.integer(*id_, "id"));
+            if (velocity_) source.velocity.push_back(cursor_.vector(*velocity_, snapshot_.columns));
+            if (angular_velocity_) {
+                source.angular_velocity.push_back(cursor_.vector(*angular_velocity_, snapshot_.columns));
+            }
             source.line.push_back(cursor_.line_number());
         }
         return source;
@@ -94,6 +102,7 @@ private:
     std::array<Coordinate, 3> axes_;
     std::optional<SizeColumn> size_;
     std::optional<std::size_t> id_;
+    std::optional<VectorColumns> velocity_, angular_velocity_;
 };
 
 }  // namespace
@@ -107,6 +116,12 @@ Series open_lammps_dump(const Content& content, const ReadOptions& options) {
     std::vector<std::int64_t> steps;
     while (cursor.next_filled()) {
         snapshots.push_back(read_lammps_header(cursor, snapshots.empty() ? nullptr : &snapshots.back()));
+        if (!snapshots.back().units.known() && !options.length_unit) {
+            cursor.fail(
+                fmt::format("the dump has the units \"{}\", which say no length in metres; give it with "
+                            "--length-unit",
+                            quotable(snapshots.back().units.style)));
+        }
         steps.push_back(snapshots.back().step);
         places.push_back(cursor);
         cursor.skip(snapshots.back().count, fmt::format("{} atoms", snapshots.back().count));

@@ -61,7 +61,7 @@ bool read_item(TextCursor& cursor, LammpsSnapshot& snapshot, Found& found) {
         found.step = true;
     } else if (is_item(line, "ITEM: UNITS", rest)) {
         cursor.need("the name of the units");
-        snapshot.unit = lammps_length_unit(trimmed(cursor.line()));
+        snapshot.units = lammps_units(trimmed(cursor.line()));
     } else if (is_item(line, "ITEM: TIME", rest)) {
         cursor.need("the time");
     } else if (is_item(line, "ITEM: NUMBER OF ATOMS", rest)) {
@@ -85,18 +85,27 @@ bool read_item(TextCursor& cursor, LammpsSnapshot& snapshot, Found& found) {
 
 }  // namespace
 
-std::optional<double> lammps_length_unit(std::string_view style) {
-    if (style == "si") return 1.0;
-    if (style == "cgs") return 1e-2;
-    if (style == "micro") return 1e-6;
-    if (style == "nano") return 1e-9;
-    if (style == "real" || style == "metal") return 1e-10;
-    return {};
+LammpsUnits lammps_units(std::string_view style) {
+    struct Known {
+        std::string_view style;
+        double length, time;
+    };
+    constexpr std::array<Known, 7> all = {{{"si", 1, 1},
+                                           {"cgs", 1e-2, 1},
+                                           {"micro", 1e-6, 1e-6},
+                                           {"nano", 1e-9, 1e-9},
+                                           {"real", 1e-10, 1e-15},
+                                           {"metal", 1e-10, 1e-12},
+                                           {"electron", 5.29177210903e-11, 1e-15}}};
+    for (const Known& known : all) {
+        if (known.style == style) return {std::string(style), known.length, known.time};
+    }
+    return {.style = std::string(style), .length = {}};
 }
 
 LammpsSnapshot read_lammps_header(TextCursor& cursor, const LammpsSnapshot* previous) {
     LammpsSnapshot snapshot;
-    if (previous != nullptr) snapshot.unit = previous->unit;
+    if (previous != nullptr) snapshot.units = previous->units;
     Found found;
     while (!read_item(cursor, snapshot, found)) cursor.need("\"ITEM: ATOMS\"");
     if (found.step && found.count && found.box) return snapshot;

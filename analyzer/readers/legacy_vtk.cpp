@@ -68,10 +68,7 @@ private:
         const std::size_t count = scanner_.count("number of points");
         const std::string type = scanner_.word("type");
         const std::vector<double> flat = scanner_.numbers(count, 3, type);
-        points_.position.resize(count);
-        for (std::size_t i = 0; i < count; ++i) {
-            points_.position[i] = {flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]};
-        }
+        points_.append_positions(flat);
         has_points_ = true;
     }
 
@@ -94,8 +91,8 @@ private:
         constexpr std::array<Kind, 3> fixed = {{{"VECTORS", 3}, {"NORMALS", 3}, {"TENSORS", 9}}};
         for (const Kind& kind : fixed) {
             if (word != kind.name) continue;
-            (void)scanner_.word("name");
-            scanner_.skip_tuples(tuples_, kind.components, scanner_.word("type"));
+            const std::string name = scanner_.word("name");
+            keep_or_skip(name, tuples_, kind.components, scanner_.word("type"), of_points_);
             return true;
         }
         if (word == "SCALARS") {
@@ -146,11 +143,10 @@ private:
 
     void keep_or_skip(const std::string& name, std::size_t tuples, std::size_t components, const std::string& type,
                       bool of_points) {
-        if (!of_points || components != 1 || !VtkPoints::wanted(name, chosen_)) {
+        if (!of_points || !VtkPoints::wanted(name, components, chosen_) || points_.has(name, components)) {
             return scanner_.skip_tuples(tuples, components, type);
         }
-        points_.names.push_back(lower_case(name));
-        points_.arrays.push_back(scanner_.numbers(tuples, 1, type));
+        points_.append(name, components, scanner_.numbers(tuples, components, type));
     }
 
     LegacyVtkScanner scanner_;

@@ -60,6 +60,9 @@ Source read_particles_of(Snapshot snapshot) {
         constexpr std::size_t radius = 6;
         source.radius.push_back(cursor.number(radius, "radius"));
         if (!(source.radius.back() > 0)) cursor.fail_at(radius, "radius", "a particle must have a size above zero");
+        source.velocity.push_back({cursor.number(3, "vx"), cursor.number(4, "vy"), cursor.number(5, "vz")});
+        source.angular_velocity.push_back(
+            {cursor.number(10, "omegax"), cursor.number(11, "omegay"), cursor.number(12, "omegaz")});
         source.line.push_back(cursor.line_number());
     }
     return source;

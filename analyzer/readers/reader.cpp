@@ -14,14 +14,16 @@
 #include "analyzer/readers/recoat_state.hpp"
 #include "analyzer/readers/steps.hpp"
 #include "analyzer/readers/vtk_xml.hpp"
+#include "analyzer/readers/vtkhdf.hpp"
 #include "analyzer/readers/yade_text.hpp"
 #include "common/error.hpp"
 
 namespace recoat {
 namespace {
 
-constexpr std::array all_readers = {recoat_state_reader, lammps_dump_reader, lammps_data_reader, yade_text_reader,
-                                    mercury_data_reader, legacy_vtk_reader,  vtk_xml_reader,     csv_reader};
+constexpr std::array all_readers = {recoat_state_reader, vtkhdf_reader,    lammps_dump_reader,
+                                    lammps_data_reader,  yade_text_reader, mercury_data_reader,
+                                    legacy_vtk_reader,   vtk_xml_reader,   csv_reader};
 
 const Reader& reader_of(const Content& content) {
     std::string known;

@@ -1,20 +1,37 @@
 #include "analyzer/readers/recoat_state.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include <fmt/format.h>
 
+#include "common/error.hpp"
 #include "common/hdf5.hpp"
 #include "common/state.hpp"
 
 namespace recoat {
 namespace {
 
+/// Converted files have NaN where nothing was known.
+std::vector<Vec3> known(std::vector<Vec3> vectors) {
+    const bool none = std::ranges::all_of(vectors, [](Vec3 v) { return std::isnan(v.x); });
+    return none ? std::vector<Vec3>{} : vectors;
+}
+
 Source read_one(const std::filesystem::path& file, std::size_t index) {
     const StateInfo info = read_state_info(file);
     State state = read_state(file, static_cast<int>(index));
+    if (state.id.size() != state.size() || state.radius.size() != state.size() ||
+        state.velocity.size() != state.size() || state.angular_velocity.size() != state.size()) {
+        throw InputError(
+            fmt::format("{}: the arrays of state {} differ in length; the file seems damaged", file.string(), index));
+    }
     Source source;
     source.position = std::move(state.position);
     source.radius = std::move(state.radius);
     source.id = std::move(state.id);
+    source.velocity = known(std::move(state.velocity));
+    source.angular_velocity = known(std::move(state.angular_velocity));
     source.own_unit = 1.0;
     source.info = {.particle_diameter = info.diameter,
                    .density = info.density,
@@ -37,9 +54,7 @@ Source read_one(const std::filesystem::path& file, std::size_t index) {
 
 }  // namespace
 
-bool is_recoat_state(const Content& content) {
-    return content.is_hdf5() && is_state_file(content.file);
-}
+bool is_recoat_state(const Content& content) { return content.is_hdf5() && is_state_file(content.file); }
 
 Series open_recoat_state(const Content& content, const ReadOptions&) {
     const std::size_t count = count_steps(content.file);

@@ -38,14 +38,17 @@ struct Box {
 
 /// Particles of one instant as a reader found them, in the order of the file.
 struct Source {
-    std::string format;              ///< name of the reader
-    std::vector<Vec3> position;      ///< [N] m
-    std::vector<double> radius;      ///< [N] m; a reader leaves it empty where the file has none
-    std::vector<std::int64_t> id;    ///< [N] identities, or empty
-    std::vector<std::size_t> line;   ///< [N] lines of a text file, or empty
-    std::optional<Box> box;          ///< where the file has one
-    std::optional<double> own_unit;  ///< unit of length [m] where the file has one
-    std::int64_t step = 0;           ///< number of the time step, 0 where the file has none
+    std::string format;                  ///< name of the reader
+    std::vector<Vec3> position;          ///< [N] m
+    std::vector<double> radius;          ///< [N] m; a reader leaves it empty where the file has none
+    std::vector<Vec3> velocity;          ///< [N] m/s, or empty
+    std::vector<Vec3> angular_velocity;  ///< [N] rad/s, or empty
+    std::vector<std::int64_t> id;        ///< [N] identities, or empty
+    std::vector<std::size_t> line;       ///< [N] lines of a text file, or empty
+    std::optional<Box> box;              ///< where the file has one
+    std::optional<double> own_unit;      ///< unit of length [m] where the file has one
+    double time_unit = 1;                ///< of the velocities as a reader leaves them [s]
+    std::int64_t step = 0;               ///< number of the time step, 0 where the file has none
     SourceInfo info;
     std::vector<std::pair<std::string, std::string>> facts;  ///< further things the file says: name and value
 };

@@ -14,6 +14,8 @@ namespace {
 
 constexpr std::string_view white_space = " \t\r\v\f";
 
+constexpr bool is_white_space(char c) { return c == ' ' || (c >= '\t' && c <= '\r' && c != '\n'); }
+
 }  // namespace
 
 bool TextCursor::next() {
@@ -50,10 +52,14 @@ void TextCursor::split(char separator) {
         if (end == std::string_view::npos) return;
         line.remove_prefix(end + 1);
     }
-    for (std::size_t start = line.find_first_not_of(white_space); start != std::string_view::npos;) {
-        const std::size_t end = std::min(line.find_first_of(white_space, start), line.size());
-        cells_.push_back(line.substr(start, end - start));
-        start = line.find_first_not_of(white_space, end);
+    // By hand: the search for one of several characters takes a call for each of the text.
+    const char *place = line.data(), *end = line.data() + line.size();
+    while (true) {
+        while (place != end && is_white_space(*place)) ++place;
+        if (place == end) return;
+        const char* start = place;
+        while (place != end && !is_white_space(*place)) ++place;
+        cells_.emplace_back(start, static_cast<std::size_t>(place - start));
     }
 }
 
@@ -62,6 +68,11 @@ double TextCursor::number(std::size_t column, std::string_view column_name) cons
     if (!value) fail_at(column, column_name, "this is no number");
     if (!std::isfinite(*value)) fail_at(column, column_name, "the number is not finite");
     return *value;
+}
+
+Vec3 TextCursor::vector(const std::array<std::size_t, 3>& columns, std::span<const std::string> names) const {
+    return {number(columns[0], names[columns[0]]), number(columns[1], names[columns[1]]),
+            number(columns[2], names[columns[2]])};
 }
 
 std::int64_t TextCursor::integer(std::size_t column, std::string_view column_name) const {
@@ -93,6 +104,15 @@ std::string quotable(std::string_view text) {
     std::ranges::replace_if(
         result, [](unsigned char c) { return std::iscntrl(c) || c >= 0x80; }, '?');
     return result;
+}
+
+std::string quotable_list(std::span<const std::string> names) {
+    constexpr std::size_t longest_list = 20;
+    std::string list;
+    for (const std::string& name : names.first(std::min(names.size(), longest_list))) {
+        list += (list.empty() ? "" : ", ") + quotable(name);
+    }
+    return names.size() > longest_list ? list + ", ..." : list;
 }
 
 std::string lower_case(std::string_view text) {

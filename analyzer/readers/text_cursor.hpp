@@ -1,9 +1,13 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "common/vec3.hpp"
 
 namespace recoat {
 
@@ -33,6 +37,8 @@ public:
 
     /// The finite number in a cell; `column_name` is for the error.
     [[nodiscard]] double number(std::size_t column, std::string_view column_name) const;
+    /// The finite numbers in three cells.
+    [[nodiscard]] Vec3 vector(const std::array<std::size_t, 3>& columns, std::span<const std::string> names) const;
     /// The whole number in a cell.
     [[nodiscard]] std::int64_t integer(std::size_t column, std::string_view column_name) const;
     /// The whole number that is all of the line and not negative, e.g. a count; `what` is for the error.
@@ -52,6 +58,9 @@ private:
 
 /// The beginning of a text as it can be shown in a sentence: without what cannot be printed.
 [[nodiscard]] std::string quotable(std::string_view text);
+
+/// Names as they can be listed in a sentence: quotable, and not too many.
+[[nodiscard]] std::string quotable_list(std::span<const std::string> names);
 
 /// In small letters (ASCII).
 [[nodiscard]] std::string lower_case(std::string_view text);

@@ -71,7 +71,8 @@ std::vector<double> read_array(const XmlElement& array, std::size_t tuples, std:
                                const ArrayEncoding& encoding, const std::string& file) {
     if (array.attribute("NumberOfComponents", "1") != std::to_string(components)) {
         fail(file, array,
-             fmt::format("has {} components instead of {}", array.attribute("NumberOfComponents", "1"), components));
+             fmt::format("has {} components instead of {}", quotable(array.attribute("NumberOfComponents", "1")),
+                         components));
     }
     const std::size_t count = tuples * components;
     const std::string format = array.attribute("format", "ascii");
@@ -80,7 +81,8 @@ std::vector<double> read_array(const XmlElement& array, std::size_t tuples, std:
     if (!type) fail(file, array, fmt::format("is of the type \"{}\"", quotable(array.attribute("type"))));
     try {
         const bool inline_data = format == "binary";
-        if (!inline_data && format != "appended") throw BlockError(fmt::format("has the format \"{}\"", format));
+        if (!inline_data && format != "appended")
+            throw BlockError(fmt::format("has the format \"{}\"", quotable(format)));
         const std::string_view text =
             inline_data ? std::string_view(array.text) : appended_bytes(array, encoding, file);
         ByteStream stream(text, inline_data || encoding.appended_base64);

@@ -21,16 +21,59 @@ std::vector<std::int64_t> whole_numbers(std::span<const double> values) {
     return {values.begin(), values.end()};
 }
 
+std::string column_name(std::string_view array, std::size_t components, std::size_t index) {
+    return components == 1 ? lower_case(array) : fmt::format("{}:{}", lower_case(array), index);
+}
+
+std::vector<Vec3> vectors(const VtkPoints& points, const VectorColumns& columns) {
+    std::vector<Vec3> result(points.position.size());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        result[i] = {points.arrays[columns[0]][i], points.arrays[columns[1]][i], points.arrays[columns[2]][i]};
+    }
+    return result;
+}
+
 }  // namespace
 
-bool VtkPoints::wanted(std::string_view name, const ColumnNames& chosen) {
+bool VtkPoints::wanted(std::string_view name, std::size_t components, const ColumnNames& chosen) {
+    if (components == 3) {
+        const std::array<std::string, 3> names = {column_name(name, 3, 0), column_name(name, 3, 1),
+                                                  column_name(name, 3, 2)};
+        return find_velocity(names) || find_angular_velocity(names);
+    }
+    if (components != 1) return false;
     const std::array<std::string, 1> names = {lower_case(name)};
     const bool size = find_size(names, {}, [](const std::string&) {}).has_value();
     return size || find_id(names) || names[0] == lower_case(chosen.radius) || names[0] == lower_case(chosen.diameter);
 }
 
+void VtkPoints::append_positions(std::span<const double> flat) {
+    position.reserve(position.size() + flat.size() / 3);
+    for (std::size_t i = 0; i + 2 < flat.size(); i += 3) position.push_back({flat[i], flat[i + 1], flat[i + 2]});
+}
+
+void VtkPoints::append(std::string_view name, std::size_t components, std::span<const double> values) {
+    for (std::size_t c = 0; c < components; ++c) {
+        std::string column = column_name(name, components, c);
+        auto place = static_cast<std::size_t>(std::ranges::find(names, column) - names.begin());
+        if (place == names.size()) {
+            names.push_back(std::move(column));
+            arrays.emplace_back();
+        }
+        auto& array = arrays[place];
+        array.reserve(array.size() + values.size() / components);
+        for (std::size_t i = c; i < values.size(); i += components) array.push_back(values[i]);
+    }
+}
+
+bool VtkPoints::has(std::string_view name, std::size_t components) const {
+    return find_column(names, column_name(name, components, 0)).has_value();
+}
+
 Source particles_from(VtkPoints points, const ColumnNames& chosen, const std::string& file) {
     Source source;
+    if (const auto columns = find_velocity(points.names)) source.velocity = vectors(points, *columns);
+    if (const auto columns = find_angular_velocity(points.names)) source.angular_velocity = vectors(points, *columns);
     source.position = std::move(points.position);
     const auto size = find_size(points.names, chosen, [&](const std::string& problem) {
         throw InputError(fmt::format("{}: {}", file, problem));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -8,14 +9,20 @@
 
 namespace recoat {
 
-/// Points of a VTK file with the arrays of one number per point.
+/// Points of a VTK file with those of their arrays that can be of use, as columns of one number per point.
 struct VtkPoints {
     std::vector<Vec3> position;
-    std::vector<std::string> names;           ///< of the arrays, in small letters
+    std::vector<std::string> names;           ///< of the columns, in small letters; "name:0" ... "name:2" of vectors
     std::vector<std::vector<double>> arrays;  ///< [names][N]
 
-    /// Whether an array of this name can be of use: a size, an identity, or what the user asks for.
-    [[nodiscard]] static bool wanted(std::string_view name, const ColumnNames& chosen);
+    /// Whether an array can be of use: a size, an identity, a velocity, or what the user asks for.
+    [[nodiscard]] static bool wanted(std::string_view name, std::size_t components, const ColumnNames& chosen);
+
+    /// Adds points, three numbers each.
+    void append_positions(std::span<const double> flat);
+    /// Adds the values of an array of 1 or 3 components behind those that it has.
+    void append(std::string_view name, std::size_t components, std::span<const double> values);
+    [[nodiscard]] bool has(std::string_view name, std::size_t components) const;
 };
 
 /// Particles from points: size and identity by the names of the arrays. `file` is for errors.

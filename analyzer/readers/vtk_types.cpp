@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cstring>
 
 namespace recoat {
 namespace {
@@ -51,6 +52,17 @@ double number_from(std::uint64_t bits, NumberType type) {
     return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
 }
 
+template <class Real>
+std::vector<double> native_reals(std::string_view bytes) {
+    std::vector<double> values(bytes.size() / sizeof(Real));
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        Real value;
+        std::memcpy(&value, bytes.data() + i * sizeof(Real), sizeof(Real));
+        values[i] = value;
+    }
+    return values;
+}
+
 }  // namespace
 
 std::optional<NumberType> vtk_type(std::string_view name) {
@@ -69,6 +81,10 @@ std::uint64_t natural_from(std::string_view bytes, bool big_endian) {
 }
 
 std::vector<double> numbers_from(std::string_view bytes, NumberType type, bool big_endian) {
+    // What most files have, without a loop over the bytes of each number.
+    if (type.kind == real && big_endian == (std::endian::native == std::endian::big)) {
+        return type.size == 8 ? native_reals<double>(bytes) : native_reals<float>(bytes);
+    }
     std::vector<double> values(bytes.size() / type.size);
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = number_from(natural_from(bytes.substr(i * type.size, type.size), big_endian), type);

@@ -1,7 +1,5 @@
 #include "analyzer/readers/vtk_xml.hpp"
 
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "analyzer/readers/text_cursor.hpp"
@@ -15,6 +13,7 @@ namespace recoat {
 namespace {
 
 constexpr std::string_view end_tag = "</VTKFile>";
+constexpr std::size_t largest_ratio = 1032;  // of zlib
 
 class XmlReader {
 public:
@@ -28,6 +27,7 @@ public:
                             file_));
         }
         encoding_ = array_encoding(document_, file_);
+        most_points_ = (encoding_.compressed ? largest_ratio : 1) * content.bytes.size();
     }
 
     VtkPoints read() {
@@ -50,31 +50,27 @@ private:
         if (!count || *count < 0) fail(piece, "the piece does not say its NumberOfPoints; copy the file again");
         const auto size = static_cast<std::size_t>(*count);
         if (size == 0) return;
+        if (size > most_points_) {
+            fail(piece,
+                 fmt::format("the piece says that it has {} points, more than a file of this size can hold; copy "
+                             "the file again",
+                             size));
+        }
         const XmlElement* points = piece.child("Points");
         const XmlElement* array = points == nullptr ? nullptr : points->child("DataArray");
         if (array == nullptr) fail(piece, "the piece has no Points; copy the file again");
         const std::vector<double> flat = read_array(*array, size, 3, encoding_, file_);
-        for (std::size_t i = 0; i < size; ++i) {
-            points_.position.push_back({flat[3 * i], flat[3 * i + 1], flat[3 * i + 2]});
-        }
+        points_.append_positions(flat);
         if (const XmlElement* data = piece.child("PointData")) read_point_data(*data, size);
         check_arrays(piece);
     }
 
     void read_point_data(const XmlElement& data, std::size_t count) {
         for (const XmlElement& array : data.children) {
-            const std::string name = lower_case(array.attribute("Name"));
-            const bool single = array.attribute("NumberOfComponents", "1") == "1";
-            if (array.name != "DataArray" || !single || !VtkPoints::wanted(name, chosen_)) continue;
-            const std::vector<double> values = read_array(array, count, 1, encoding_, file_);
-            auto found = std::ranges::find(points_.names, name);
-            if (found == points_.names.end()) {
-                points_.names.push_back(name);
-                points_.arrays.emplace_back();
-                found = points_.names.end() - 1;
-            }
-            auto& whole = points_.arrays[static_cast<std::size_t>(found - points_.names.begin())];
-            whole.insert(whole.end(), values.begin(), values.end());
+            const std::string name = array.attribute("Name"), components = array.attribute("NumberOfComponents", "1");
+            const std::size_t width = components == "1" ? 1 : components == "3" ? 3 : 0;
+            if (array.name != "DataArray" || !VtkPoints::wanted(name, width, chosen_)) continue;
+            points_.append(name, width, read_array(array, count, width, encoding_, file_));
         }
     }
 
@@ -95,6 +91,7 @@ private:
     const ColumnNames& chosen_;
     XmlDocument document_;
     ArrayEncoding encoding_;
+    std::size_t most_points_ = 0;  ///< that the file can hold
     VtkPoints points_;
 };
 

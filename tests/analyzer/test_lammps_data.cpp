@@ -8,7 +8,8 @@ using testing::replaced;
 
 const std::string small =
     "LAMMPS data file\n\n2 atoms\n1 atom types\n\n0 4 xlo xhi\n0 2 ylo yhi\n0 3 zlo zhi\n\nMasses\n\n1 1.0\n\n"
-    "Atoms # sphere\n\n1 1 0.5 2500 1 1 1 0 -1 0\n2 1 1 2500 2 1 1 0 0 0\n\nVelocities\n\n1 0 0 0 0 0 0\n";
+    "Atoms # sphere\n\n1 1 0.5 2500 1 1 1 0 -1 0\n2 1 1 2500 2 1 1 0 0 0\n\nVelocities\n\n2 1 2 3 0 0 4\n1 0 0 -1 0 5 "
+    "0\n";
 
 class LammpsData : public testing::ReaderTest {};
 
@@ -18,6 +19,8 @@ TEST_F(LammpsData, AtomsBoxAndDensity) {
     EXPECT_EQ(source.position, (std::vector<Vec3>{{1, 1, 1}, {2, 1, 1}}));
     EXPECT_EQ(source.radius, (std::vector<double>{0.25, 0.5}));
     EXPECT_EQ(source.info.density, 2500);
+    EXPECT_EQ(source.velocity, (std::vector<Vec3>{{0, 0, -1}, {1, 2, 3}}));
+    EXPECT_EQ(source.angular_velocity, (std::vector<Vec3>{{0, 5, 0}, {0, 0, 4}}));
     ASSERT_TRUE(source.box);
     EXPECT_EQ(source.box->upper, (Vec3{4, 2, 3}));
     // Only the image flag of y is not zero anywhere.
@@ -43,6 +46,20 @@ TEST_F(LammpsData, RealFile) {
     EXPECT_EQ(source.radius[99], 2.5e-5);
     EXPECT_EQ(source.info.density, 4430);
     EXPECT_TRUE(source.box->periodic[1]);
+}
+
+TEST_F(LammpsData, Velocities) {
+    const std::string none = small.substr(0, small.find("Velocities"));
+    EXPECT_TRUE(read(none).velocity.empty());
+    const Source plain = read(none + "Velocities\n\n1 1 2 3\n2 4 5 6\n");
+    EXPECT_EQ(plain.velocity, (std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}}));
+    EXPECT_TRUE(plain.angular_velocity.empty());
+    const auto with = [&](const std::string& lines) { return error(none + "Velocities\n\n" + lines); };
+    EXPECT_TRUE(begins(with("1 1 2 3\n"), "layer:21: the section Velocities ends after 1 of 2 atoms"));
+    EXPECT_TRUE(begins(with("1 1 2 3\n1 1 2 3\n"), "layer:22: the section Velocities gives a velocity to the atom 1"));
+    EXPECT_TRUE(begins(with("1 1 2 3\n7 1 2 3\n"), "layer:22: the section Velocities gives a velocity to the atom 7"));
+    EXPECT_TRUE(begins(with("1 1 2\n2 1 2 3\n"), "layer:21: the line has 3 columns, but those of the section"));
+    EXPECT_TRUE(begins(with("1 1 2 nan\n2 1 2 3\n"), "layer:21: column 4 (vz): \"nan\": the number is not finite"));
 }
 
 TEST_F(LammpsData, DamagedFiles) {

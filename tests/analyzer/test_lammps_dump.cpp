@@ -87,6 +87,28 @@ TEST_F(LammpsDump, WhatIsNoListOfParticles) {
     EXPECT_TRUE(begins(error("ITEM: NONSENSE\n"), "layer:1: \"ITEM: NONSENSE\" is no item"));
 }
 
+TEST_F(LammpsDump, StepsOneByOne) {
+    const testing::TemporaryFolder folder;
+    std::ofstream(folder / "steps") << two_snapshots;
+    const Recording recording(folder / "steps");
+    ASSERT_EQ(std::vector(recording.steps().begin(), recording.steps().end()), (std::vector<std::int64_t>{100, 200}));
+    EXPECT_EQ(recording.read(1).position.size(), 1U);
+    EXPECT_EQ(recording.read(0).position.size(), 2U);
+    EXPECT_EQ(recording.read(0).step, 100);
+}
+
+TEST_F(LammpsDump, SentencesStayShortAndPlain) {
+    // Found by fuzzing: column names went into the sentence as they were.
+    std::string names = "ITEM: ATOMS id";
+    for (int i = 0; i < 500; ++i) names += " c\xff" + std::to_string(i);
+    ReadOptions first;
+    first.step.which = StepChoice::Which::first;
+    const std::string sentence = error(replaced(two_snapshots, "ITEM: ATOMS id type x y z radius", names), first);
+    EXPECT_TRUE(
+        begins(sentence, "layer:13: there is no column x, xs, xu or xsu among those of the dump (id, c?0, c?1"));
+    EXPECT_LT(sentence.size(), 400U);
+}
+
 TEST_F(LammpsDump, DamagedFiles) {
     const auto broken = [&](const std::string& from, const std::string& to) {
         ReadOptions first;

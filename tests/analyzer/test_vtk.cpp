@@ -58,6 +58,8 @@ TEST_F(Vtk, XmlText) {
     ReadOptions options;
     options.columns.diameter = "Size";
     EXPECT_EQ(read(replaced(xml_text, "Radius", "size"), options).radius[0], 0.25);
+    // Names from the file come cut and in plain letters.
+    EXPECT_FALSE(error(replaced(xml_text, "Radius", "radius\xc3\xa4"), options).find("\xc3") != std::string::npos);
     EXPECT_TRUE(begins(error(xml_text, options), "layer: there is no column \"Size\"; the file has: radius"));
 }
 
@@ -77,6 +79,12 @@ TEST_F(Vtk, XmlDamaged) {
                        "layer:6: the array \"Radius\" has the offset \"7\" into 0 bytes"));
     EXPECT_TRUE(begins(with("type=\"PolyData\"", "type=\"PolyData\" compressor=\"vtkLZ4DataCompressor\""),
                        "layer:2: the data are compressed by vtkLZ4DataCompressor; write them with zlib"));
+    // 3 x 2^61 doubles take 0 bytes in 64 bits.
+    for (const std::string count : {"2", "1152921504606846976", "2305843009213693952", "6148914691236517206"}) {
+        const std::string more = replaced(xml_text, "NumberOfPoints=\"1\"", "NumberOfPoints=\"" + count + "\"");
+        EXPECT_TRUE(begins(error(more), count == "2" ? "layer:10: the array \"\" has 3 numbers instead of 6"
+                                                     : "layer:4: the piece says that it has " + count + " points"));
+    }
     for (std::size_t size = 60; size + 2 < xml_text.size(); size += 7) {
         EXPECT_TRUE(begins(error(xml_text.substr(0, size)), "layer:")) << size;
     }

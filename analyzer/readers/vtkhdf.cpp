@@ -1,0 +1,137 @@
+#include "analyzer/readers/vtkhdf.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <numeric>
+
+#include <fmt/format.h>
+
+#include "analyzer/readers/text_cursor.hpp"
+#include "analyzer/readers/vtk_points.hpp"
+#include "common/error.hpp"
+#include "common/hdf5.hpp"
+#include "common/number.hpp"
+
+namespace recoat {
+namespace {
+
+constexpr const char* group_name = "VTKHDF";
+
+/// Rows of an array.
+struct Rows {
+    std::size_t first = 0, count = 0;
+};
+
+class VtkHdfReader {
+public:
+    VtkHdfReader(const Content& content, const ColumnNames& chosen)
+        : file_(content.name()), chosen_(chosen), root_(hdf5::File::open(content.file).group(group_name)) {
+        const std::string type = root_.text_attribute("Type");
+        if (type != "PolyData" && type != "UnstructuredGrid") {
+            fail(
+                fmt::format("the data set is of the kind \"{}\", which holds no particles; give PolyData or "
+                            "UnstructuredGrid",
+                            quotable(type)));
+        }
+        const hdf5::Shape shape = root_.dataset("Points").shape();
+        if (shape.size() != 2 || shape[1] != 3) fail("the array Points has not three columns; give points in space");
+        rows_ = shape[0];
+        if (root_.has("Steps")) read_times();
+    }
+
+    [[nodiscard]] std::vector<std::int64_t> steps() const {
+        std::vector<std::int64_t> numbers(std::max<std::size_t>(1, times_.size()));
+        std::iota(numbers.begin(), numbers.end(), std::int64_t{0});
+        return numbers;
+    }
+
+    [[nodiscard]] Source read(std::size_t step) const {
+        const Rows rows = rows_of(step);
+        VtkPoints points;
+        points.append_positions(root_.dataset("Points").read_rows<double>(rows.first, rows.count));
+        if (root_.has("PointData")) read_arrays(points, step, rows);
+        Source source = particles_from(std::move(points), chosen_, file_);
+        if (times_.empty()) return source;
+        source.facts.emplace_back("steps", std::to_string(times_.size()));
+        source.facts.emplace_back("time", shortest(times_[step]));
+        return source;
+    }
+
+private:
+    void read_times() {
+        const auto steps = root_.group("Steps");
+        const std::int64_t count = steps.integer_attribute("NSteps");
+        if (count < 1) fail(fmt::format("the file says that it has {} time steps; give one with particles", count));
+        times_ = steps.dataset("Values").read_rows<double>(0, static_cast<std::size_t>(count));
+    }
+
+    /// Where the points of a step lie: its parts follow each other.
+    [[nodiscard]] Rows rows_of(std::size_t step) const {
+        const auto numbers = root_.dataset("NumberOfPoints");
+        if (times_.empty()) return {0, sum(numbers.read<std::int64_t>())};
+        const auto steps = root_.group("Steps");
+        const std::size_t part = steps.has("PartOffsets") ? natural(steps, "PartOffsets", step) : step;
+        const std::size_t parts = steps.has("NumberOfParts") ? natural(steps, "NumberOfParts", step) : 1;
+        return {natural(steps, "PointOffsets", step), sum(numbers.read_rows<std::int64_t>(part, parts))};
+    }
+
+    void read_arrays(VtkPoints& points, std::size_t step, Rows rows) const {
+        const auto arrays = root_.group("PointData");
+        for (const std::string& name : arrays.names()) {
+            if (!VtkPoints::wanted(name, 1, chosen_) && !VtkPoints::wanted(name, 3, chosen_)) continue;
+            const auto array = arrays.dataset(name);
+            const hdf5::Shape shape = array.shape();
+            const std::size_t components = shape.size() == 1 ? 1 : shape.size() == 2 ? shape[1] : 0;
+            if (!VtkPoints::wanted(name, components, chosen_) || points.has(name, components)) continue;
+            points.append(name, components, array.read_rows<double>(first_row(name, step, rows), rows.count));
+        }
+    }
+
+    /// Arrays that do not change may be there once.
+    [[nodiscard]] std::size_t first_row(const std::string& name, std::size_t step, Rows rows) const {
+        const std::string place = "Steps/PointDataOffsets";
+        if (times_.empty() || !root_.has("Steps/PointDataOffsets") || !root_.group(place).has(name)) return rows.first;
+        return natural(root_.group(place), name, step);
+    }
+
+    [[nodiscard]] std::size_t natural(const hdf5::Group& group, const std::string& name, std::size_t row) const {
+        const auto values = group.dataset(name).read_rows<std::int64_t>(row, 1);
+        if (values.size() != 1 || values[0] < 0) {
+            fail(fmt::format("the array {} holds no number of rows for step {}; the file seems damaged", name, row));
+        }
+        return static_cast<std::size_t>(values[0]);
+    }
+
+    [[nodiscard]] std::size_t sum(const std::vector<std::int64_t>& counts) const {
+        std::size_t total = 0;
+        for (const std::int64_t count : counts) {
+            if (count < 0 || static_cast<std::size_t>(count) > rows_ - total) {
+                fail(fmt::format("NumberOfPoints holds {}, but there are {} points in all; the file seems damaged",
+                                 count, rows_));
+            }
+            total += static_cast<std::size_t>(count);
+        }
+        return total;
+    }
+
+    [[noreturn]] void fail(const std::string& problem) const {
+        throw InputError(fmt::format("{}: {}", file_, problem));
+    }
+
+    std::string file_;
+    const ColumnNames& chosen_;
+    hdf5::Group root_;
+    std::size_t rows_ = 0;  ///< of the array Points
+    std::vector<double> times_;
+};
+
+}  // namespace
+
+bool is_vtkhdf(const Content& content) { return content.is_hdf5() && hdf5::File::open(content.file).has(group_name); }
+
+Series open_vtkhdf(const Content& content, const ReadOptions& options) {
+    const auto reader = std::make_shared<const VtkHdfReader>(content, options.columns);
+    return {reader->steps(), [reader](std::size_t step) { return reader->read(step); }};
+}
+
+}  // namespace recoat

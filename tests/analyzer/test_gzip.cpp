@@ -1,0 +1,52 @@
+#include <zlib.h>
+
+#include "analyzer/readers/gzip.hpp"
+#include "tests/analyzer/reader_fixture.hpp"
+
+namespace recoat {
+namespace {
+
+using testing::begins;
+
+/// One member, packed by zlib.
+std::string packed(const std::string& bytes) {
+    z_stream stream = {};
+    deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
+    std::string result(deflateBound(&stream, bytes.size()), '\0'), copy = bytes;
+    stream.next_in = reinterpret_cast<Bytef*>(copy.data());
+    stream.avail_in = static_cast<uInt>(copy.size());
+    stream.next_out = reinterpret_cast<Bytef*>(result.data());
+    stream.avail_out = static_cast<uInt>(result.size());
+    deflate(&stream, Z_FINISH);
+    result.resize(stream.total_out);
+    deflateEnd(&stream);
+    return result;
+}
+
+class Gzip : public testing::ReaderTest {};
+
+TEST_F(Gzip, MembersAndPadding) {
+    const std::string large(3'000'000, 'x');  // far more than the room it begins with
+    EXPECT_EQ(unpack_gzip(packed(large), "layer"), large);
+    EXPECT_EQ(unpack_gzip(packed("one") + packed("") + packed("two"), "layer"), "onetwo");
+    EXPECT_EQ(unpack_gzip(packed("one") + std::string(5, '\0'), "layer"), "one");
+    EXPECT_EQ(read(packed("x,y,z,r\n1,2,3,1\n")).position[0], (Vec3{1, 2, 3}));
+}
+
+TEST_F(Gzip, DamagedFiles) {
+    const std::string whole = packed("x,y,z,r\n1,2,3,1\n4,5,6,1\n");
+    for (std::size_t size = 2; size < whole.size(); ++size) {
+        EXPECT_TRUE(
+            begins(error(whole.substr(0, size)), "layer: the compressed data are damaged or end too early (end"))
+            << size;
+    }
+    std::string wrong_sum = whole;
+    wrong_sum[whole.size() - 6] ^= 1;
+    EXPECT_TRUE(begins(error(wrong_sum), "layer: the compressed data are damaged or end too early (incorrect data ch"));
+    EXPECT_TRUE(begins(error(whole + "x,y"), "layer: the compressed data are damaged or end too early (something els"));
+    EXPECT_EQ(error(packed("")), "layer: the file is empty; give a file of particles");
+    EXPECT_TRUE(begins(error(packed("\x89HDF\r\n\x1a\n")), "layer: HDF5 files cannot be read while packed with gzip"));
+}
+
+}  // namespace
+}  // namespace recoat
