@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench stress clean
+.PHONY: setup programs build reproduce test lint bench stress fuzz clean
 
 setup:
 	@./setup.sh
@@ -38,3 +38,10 @@ SCENES ?= 2000
 stress: build
 	@$(RECOAT_BUILD)/tests/stress/stress --seed $(SEED) --scenes $(SCENES) --out results/stress \
 	    --program $(RECOAT_BUILD)/solver/recoat-solve
+
+# Fuzzes each reader for SECONDS, about eleven times that in all: make fuzz SECONDS=600
+fuzz: SECONDS = 60
+fuzz:
+	@RECOAT_FUZZ=1 ./setup.sh
+	@cmake --preset fuzz --log-level=WARNING && cmake --build --preset fuzz --parallel $(CORES)
+	@tests/fuzz/run.sh build/fuzz $(SECONDS)

@@ -13,6 +13,11 @@ packages=(
     libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libxrender1 # off-screen rendering of the layer
 )
 
+# Only for `make fuzz`.
+if [ -n "${RECOAT_FUZZ:-}" ]; then
+    packages+=(clang libclang-rt-dev)
+fi
+
 installed() { dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p'; }
 
 install_system_packages() {

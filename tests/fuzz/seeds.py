@@ -167,7 +167,7 @@ def legacy_files():
 
 def vtkhdf_file(path):
     """A VTKHDF PolyData of one step, as other codes write it."""
-    with h5py.File(path, "w", libver="latest") as file:
+    with h5py.File(path, "w") as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = np.array([2, 0])
         root.attrs.create("Type", b"PolyData", dtype="S8")
