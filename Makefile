@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench stress fuzz clean
+.PHONY: setup programs build reproduce test lint bench stress fuzz clean faults
 
 setup:
 	@./setup.sh
@@ -45,3 +45,8 @@ fuzz:
 	@RECOAT_FUZZ=1 ./setup.sh
 	@cmake --preset fuzz --log-level=WARNING && cmake --build --preset fuzz --parallel $(CORES)
 	@tests/fuzz/run.sh build/fuzz $(SECONDS)
+
+# Runs that are killed, damaged or out of space (docs/stability.md).
+ROUNDS ?= 300
+faults: build
+	@python tests/faults/campaign.py $(RECOAT_BUILD)/solver/recoat-solve --rounds $(ROUNDS) --out results/faults

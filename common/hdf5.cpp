@@ -14,6 +14,10 @@ namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>, "handles hold the identifiers of HDF5 1.10 and newer");
 
+/// Before any other call to HDF5: at the end of a program it would try once more to write the files that a full disk
+/// did not take, and crash. Handles close everything else by themselves.
+[[maybe_unused]] const herr_t no_work_at_exit = H5dont_atexit();
+
 template <class Number>
 hid_t number_type() {
     if constexpr (std::is_same_v<Number, double>) return H5T_NATIVE_DOUBLE;
@@ -63,7 +67,10 @@ Shape shape_of(hid_t dataset) {
 /// Selects rows first ... first + count - 1 and returns the space in the file and in memory.
 std::pair<Handle, Handle> select_rows(hid_t dataset, std::size_t first, std::size_t count, const std::string& place) {
     Shape shape = shape_of(dataset);
-    if (shape.empty() || first + count > shape[0]) fail(place, "the array has too few rows; the file seems damaged");
+    // Without first + count, which may be more than fits.
+    if (shape.empty() || first > shape[0] || count > shape[0] - first) {
+        fail(place, "the array has too few rows; the file seems damaged");
+    }
     Handle file_space = open(H5Dget_space(dataset), H5Sclose, place, cannot_read);
     shape[0] = count;
     std::vector<hsize_t> start(shape.size(), 0);
@@ -72,6 +79,25 @@ std::pair<Handle, Handle> select_rows(hid_t dataset, std::size_t first, std::siz
     check(H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, start.data(), nullptr, extent.data(), nullptr), place,
           cannot_read);
     return {std::move(file_space), space_of(shape, place)};
+}
+
+/// Number of elements in `shape`, which must be as many as the stored bytes of the array can hold when they are packed
+/// as tightly as they can be: damaged files announce any number.
+std::size_t believable_size(hid_t dataset, const Shape& shape, const std::string& place) {
+    constexpr std::size_t always = std::size_t{1} << 20, largest_ratio = 1032;  // of deflate
+    std::size_t stored = H5Dget_storage_size(dataset);
+    const Handle file(H5Iget_file_id(dataset), H5Fclose);
+    hsize_t file_size = 0;
+    if (H5Fget_filesize(file.id(), &file_size) >= 0) stored = std::min<std::size_t>(stored, file_size);
+    const std::size_t most = std::max(always, largest_ratio * stored);
+    std::size_t size = 1;
+    for (const std::size_t length : shape) {
+        if (length != 0 && size > most / length) {
+            fail(place, "the array says that it is larger than its file can be; the file seems damaged");
+        }
+        size *= length;
+    }
+    return size;
 }
 
 }  // namespace
@@ -86,6 +112,11 @@ Handle& Handle::operator=(Handle&& other) noexcept {
 
 Handle::~Handle() {
     if (id_ >= 0) close_(id_);
+}
+
+int Handle::close() {
+    const std::int64_t id = std::exchange(id_, -1);
+    return id >= 0 ? close_(id) : 0;
 }
 
 Shape Dataset::shape() const { return shape_of(handle_.id()); }
@@ -110,7 +141,7 @@ void Dataset::append(const std::vector<Number>& values) const {
 
 template <class Number>
 std::vector<Number> Dataset::read() const {
-    std::vector<Number> values(size());
+    std::vector<Number> values(believable_size(handle_.id(), shape(), place_));
     const Handle type(H5Dget_type(handle_.id()), H5Tclose);
     const auto wanted = std::is_same_v<Number, double> ? H5T_FLOAT : H5T_INTEGER;
     if (H5Tget_class(type.id()) != wanted) fail(place_, "the array holds another kind of values than expected");
@@ -126,7 +157,7 @@ std::vector<Number> Dataset::read_rows(std::size_t first, std::size_t count) con
     Shape shape = this->shape();
     const auto [in_file, in_memory] = select_rows(handle_.id(), first, count, place_);
     shape.at(0) = count;
-    std::vector<Number> values(product(shape));
+    std::vector<Number> values(believable_size(handle_.id(), shape, place_));
     check(H5Dread(handle_.id(), number_type<Number>(), in_memory.id(), in_file.id(), H5P_DEFAULT, values.data()),
           place_, cannot_read);
     return values;
@@ -206,9 +237,11 @@ Dataset Group::dataset(const std::string& name) const {
     return {open(H5Dopen2(handle_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, place, cannot_read), place};
 }
 
-File File::create(const std::filesystem::path& path) {
+File File::create(const std::filesystem::path& path, std::size_t user_block) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-    return {hdf5::open(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose, path.string(),
+    const Handle properties = hdf5::open(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path.string(), cannot_write);
+    check(H5Pset_userblock(properties.id(), user_block), path.string(), "the user block has no possible size");
+    return {hdf5::open(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, properties.id(), H5P_DEFAULT), H5Fclose, path.string(),
                        "the file cannot be created; check the folder and its permissions"),
             path.string()};
 }
@@ -223,6 +256,11 @@ File File::open(const std::filesystem::path& path) {
 }
 
 void File::flush() const { check(H5Fflush(handle_.id(), H5F_SCOPE_LOCAL), place_, cannot_write); }
+
+void File::close() {
+    flush();
+    check(handle_.close(), place_, cannot_write);
+}
 
 bool is_hdf5(const std::filesystem::path& path) {
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -18,12 +18,14 @@ public:
     using Close = int (*)(std::int64_t);
 
     Handle() = default;
-    Handle(std::int64_t id, Close close) : id_(id), close_(close) {}
+    Handle(std::int64_t id, Close closer) : id_(id), close_(closer) {}
     Handle(Handle&& other) noexcept;
     Handle& operator=(Handle&& other) noexcept;
     ~Handle();
 
     [[nodiscard]] std::int64_t id() const { return id_; }
+    /// Closes it now and returns the status of HDF5: negative when that failed.
+    int close();
 
 private:
     std::int64_t id_ = -1;
@@ -111,10 +113,13 @@ protected:
 /// An open file.
 class File : public Group {
 public:
-    static File create(const std::filesystem::path& path);
+    /// `user_block`: bytes at the start that HDF5 leaves to the caller; 0, or a power of 2 from 512.
+    static File create(const std::filesystem::path& path, std::size_t user_block = 0);
     static File open(const std::filesystem::path& path);  ///< for reading
 
     void flush() const;
+    /// Closes the file and says, unlike the destructor, when something of it could not be written.
+    void close();
 
 private:
     using Group::Group;

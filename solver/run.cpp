@@ -6,6 +6,7 @@
 #include "common/error.hpp"
 #include "common/version.hpp"
 #include "solver/output/checkpoint.hpp"
+#include "solver/output/folder_lock.hpp"
 #include "solver/output/summary.hpp"
 #include "solver/progress_line.hpp"
 #include "solver/scene/initial_particles.hpp"
@@ -18,7 +19,10 @@ namespace {
 namespace fs = std::filesystem;
 
 /// What to do with a folder.
-enum class Plan { start, resume, nothing };
+struct Plan {
+    enum Kind { start, resume, nothing } kind = start;
+    LatestCheckpoint latest;  ///< to resume from
+};
 
 void refuse_other_scene(const std::string& config, const Scene& scene, const fs::path& folder) {
     if (config == scene.resolved) return;
@@ -28,37 +32,56 @@ void refuse_other_scene(const std::string& config, const Scene& scene, const fs:
         "with --overwrite");
 }
 
+/// Whether the states of the first `stages` stages are in place.
+bool has_states(const Scene& scene, const fs::path& folder, std::size_t stages) {
+    for (std::size_t k = 0; k < stages; ++k) {
+        if (!fs::exists(folder / (scene.stages[k].name + ".vtkhdf"))) return false;
+    }
+    return true;
+}
+
 /// Whether every file of a finished run is in place.
 bool complete(const Scene& scene, const fs::path& folder) {
-    for (const Stage& stage : scene.stages) {
-        if (!fs::exists(folder / (stage.name + ".vtkhdf"))) return false;
-    }
+    if (!has_states(scene, folder, scene.stages.size())) return false;
     return scene.output.trajectory_interval == 0 || fs::exists(folder / "trajectory.vtkhdf");
 }
 
-/// `overwrite` replaces a run of another configuration, and a finished one of another version, instead of refusing it.
+/// The plan for a folder without a finished run.
+Plan plan_for_checkpoint(const Scene& scene, const fs::path& folder, bool overwrite) {
+    if (!has_checkpoint(folder)) return {Plan::start, {}};
+    try {
+        LatestCheckpoint latest = read_latest_checkpoint(folder);
+        const Checkpoint& checkpoint = latest.checkpoint;
+        if (overwrite && checkpoint.config != scene.resolved) return {Plan::start, {}};
+        refuse_other_scene(checkpoint.config, scene, folder);
+        const bool whole = has_states(scene, folder, checkpoint.progress.stage);
+        if (!whole || checkpoint.version != program_version()) return {Plan::start, {}};
+        return {Plan::resume, std::move(latest)};
+    } catch (const InputError&) {
+        if (overwrite) return {Plan::start, {}};  // a damaged one, too
+        throw;
+    }
+}
+
+/// `overwrite` replaces a run of another configuration, a finished one of another version, and damaged checkpoints,
+/// instead of refusing them.
 Plan plan_for(const Scene& scene, const fs::path& folder, bool overwrite) {
     const std::optional<EarlierSummary> summary = read_summary(folder / "summary.json");
     if (summary) {
         if (overwrite && (summary->config != scene.resolved || summary->version != program_version()))
-            return Plan::start;
+            return {Plan::start, {}};
         refuse_other_scene(summary->config, scene, folder);
-        if (summary->finished) return complete(scene, folder) ? Plan::nothing : Plan::start;
+        if (summary->finished) return {complete(scene, folder) ? Plan::nothing : Plan::start, {}};
     }
-    const fs::path file = folder / "checkpoint.h5";
-    if (!fs::exists(file)) return Plan::start;
-    const Checkpoint checkpoint = read_checkpoint(file);
-    if (overwrite && checkpoint.config != scene.resolved) return Plan::start;
-    refuse_other_scene(checkpoint.config, scene, folder);
-    const bool unfinished = checkpoint.progress.stage < scene.stages.size();
-    return unfinished && checkpoint.version == program_version() ? Plan::resume : Plan::start;
+    return plan_for_checkpoint(scene, folder, overwrite);
 }
 
 /// Removes what an earlier run left, so that no old file is taken for a result of the new one.
 void clear(const Scene& scene, const fs::path& folder) {
-    for (const char* name : {"summary.json", "checkpoint.h5", "energy.csv", "trajectory.vtkhdf", "fault.vtkhdf"}) {
+    for (const char* name : {"summary.json", "energy.csv", "trajectory.vtkhdf", "fault.vtkhdf"}) {
         fs::remove(folder / name);
     }
+    remove_checkpoints(folder);
     for (const Stage& stage : scene.stages) fs::remove(folder / (stage.name + ".vtkhdf"));
     fs::remove_all(folder / "trajectory.frames");
 }
@@ -80,10 +103,12 @@ int start(const Scene& scene, const RunOptions& options, const EngineFactory& fa
     return StageRunner(scene, options, *engine, progress).run();
 }
 
-int continue_from(const Scene& scene, const Checkpoint& checkpoint, const RunOptions& options,
+int continue_from(const Scene& scene, const LatestCheckpoint& latest, const RunOptions& options,
                   const EngineFactory& factory) {
+    const Checkpoint& checkpoint = latest.checkpoint;
     const auto engine = factory.restore(engine_setup(scene, options.threads), checkpoint.engine);
     ProgressLine line(options.quiet, 0);
+    if (!latest.note.empty()) line.say("Note: " + latest.note);
     if (checkpoint.version != program_version()) {
         line.say("Note: the checkpoint was written by version " + checkpoint.version + ", this is " +
                  program_version() + ".");
@@ -96,26 +121,31 @@ int continue_from(const Scene& scene, const Checkpoint& checkpoint, const RunOpt
 
 int run_scene(const Scene& scene, const RunOptions& options, const EngineFactory& factory) {
     make_folder(options.folder);
+    const FolderLock lock(options.folder);
     const Plan plan = plan_for(scene, options.folder, options.overwrite);
-    if (plan == Plan::nothing) {
+    if (plan.kind == Plan::nothing) {
         ProgressLine(options.quiet, 0).say(options.folder.string() + ": this run is finished already; nothing to do.");
         return 0;
     }
-    if (plan == Plan::start) return start(scene, options, factory);
-    return continue_from(scene, read_checkpoint(options.folder / "checkpoint.h5"), options, factory);
+    remove_unfinished_files(options.folder);
+    if (plan.kind == Plan::start) return start(scene, options, factory);
+    return continue_from(scene, plan.latest, options, factory);
 }
 
 int resume_run(const RunOptions& options, const EngineFactory& factory) {
-    const fs::path file = options.folder / "checkpoint.h5";
-    const Checkpoint checkpoint = read_checkpoint(file);
-    Scene scene = read_scene(Config::parse(checkpoint.config, file.string()), options.folder);
-    scene.resolved = checkpoint.config;
+    const FolderLock lock(options.folder);
+    const LatestCheckpoint latest = read_latest_checkpoint(options.folder);
+    const std::string& config = latest.checkpoint.config;
+    Scene scene = read_scene(Config::parse(config, (options.folder / "checkpoint.h5").string()), options.folder);
+    scene.resolved = config;
     const std::optional<EarlierSummary> summary = read_summary(options.folder / "summary.json");
     if (summary && summary->finished && complete(scene, options.folder)) {
         ProgressLine(options.quiet, 0).say(options.folder.string() + ": this run is finished already; nothing to do.");
         return 0;
     }
-    return continue_from(scene, checkpoint, options, factory);
+    make_folder(options.folder);
+    remove_unfinished_files(options.folder);
+    return continue_from(scene, latest, options, factory);
 }
 
 }  // namespace recoat

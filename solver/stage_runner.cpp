@@ -35,7 +35,7 @@ StageRunner::StageRunner(const Scene& scene, const RunOptions& options, Engine& 
       saved_(Clock::now()) {}
 
 int StageRunner::run() {
-    if (engine_.step() == 0 && progress_.energy.empty() && progress_.frames == 0) sample();
+    if (engine_.step() == 0 && progress_.energy.empty() && progress_.frames.empty()) sample();
     while (progress_.stage < scene_.stages.size()) {
         if (must_stop() || !run_stage(scene_.stages[progress_.stage])) return stop();
     }
@@ -120,8 +120,12 @@ void StageRunner::advance(std::int64_t steps) {
 void StageRunner::fault(const SimulationFault& error) {
     const std::filesystem::path file = options_.folder / "fault.vtkhdf";
     const std::size_t stage = std::min(progress_.stage, scene_.stages.size() - 1);
-    write_state(file, state_info(scene_, scene_.stages[stage].name), state_of_engine(engine_, scene_.y_period));
     line_.say(scene_.stages[stage].name + ": fault at step " + std::to_string(engine_.step()) + ".");
+    try {
+        write_state(file, state_info(scene_, scene_.stages[stage].name), state_of_engine(engine_, scene_.y_period));
+    } catch (const InputError& problem) {
+        throw SimulationFault(std::string(error.what()) + " The state of the moment before is lost: " + problem.what());
+    }
     throw SimulationFault(std::string(error.what()) + " The state of the moment before is in " + file.string() + ".");
 }
 
@@ -131,8 +135,8 @@ void StageRunner::sample() {
     if (plan.energy_interval > 0 && step % plan.energy_interval == 0) progress_.energy.add(engine_);
     if (plan.trajectory_interval > 0 && step % plan.trajectory_interval == 0) {
         const std::string& stage = scene_.stages[progress_.stage].name;
-        trajectory_.add(progress_.frames, state_info(scene_, stage), state_of_engine(engine_, scene_.y_period));
-        ++progress_.frames;
+        progress_.frames.push_back(trajectory_.add(progress_.frames.size(), state_info(scene_, stage),
+                                                   state_of_engine(engine_, scene_.y_period)));
     }
 }
 
@@ -196,7 +200,7 @@ void StageRunner::finish_stage(const Stage& stage) {
 
 void StageRunner::finish_run() {
     const std::string& last = scene_.stages.back().name;
-    if (progress_.frames > 0) trajectory_.assemble(progress_.frames, state_info(scene_, last));
+    if (!progress_.frames.empty()) trajectory_.assemble(progress_.frames, state_info(scene_, last));
     summarise(RunStatus::finished);
 }
 
@@ -209,8 +213,7 @@ void StageRunner::count_time() {
 
 void StageRunner::save_checkpoint() {
     count_time();
-    write_checkpoint(options_.folder / "checkpoint.h5",
-                     {program_version(), scene_.resolved, progress_, engine_.save()});
+    write_checkpoint(options_.folder, {program_version(), scene_.resolved, progress_, engine_.save()});
     saved_ = Clock::now();
 }
 

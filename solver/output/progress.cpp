@@ -60,7 +60,6 @@ std::string progress_to_text(const RunProgress& progress) {
                  {"checks_at_rest", progress.checks_at_rest},
                  {"settled", progress.settled},
                  {"stage_first_step", progress.stage_first_step},
-                 {"frames", progress.frames},
                  {"wall_seconds", progress.wall_seconds},
                  {"stage_wall_seconds", progress.stage_wall_seconds},
                  {"start", to_json(progress.start)},
@@ -79,7 +78,6 @@ RunProgress progress_from_text(const std::string& text) {
     progress.checks_at_rest = json.at("checks_at_rest");
     progress.settled = json.at("settled");
     progress.stage_first_step = json.at("stage_first_step");
-    progress.frames = json.at("frames");
     progress.wall_seconds = json.at("wall_seconds");
     progress.stage_wall_seconds = json.at("stage_wall_seconds");
     progress.start = ledger_from(json.at("start"));

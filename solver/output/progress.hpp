@@ -31,14 +31,14 @@ struct RunProgress {
     std::int64_t checks_at_rest = 0;  ///< in a row
     bool settled = false;             ///< the last segment ended by its rest criterion
     std::int64_t stage_first_step = 0;
-    std::int64_t frames = 0;  ///< of the trajectory
+    std::vector<std::uint64_t> frames;  ///< fingerprints of those of the trajectory
     double wall_seconds = 0, stage_wall_seconds = 0;
     EnergyLedger start;
     std::vector<StageRecord> finished;
     EnergySeries energy;
 };
 
-/// All but the energy series as JSON text, and back.
+/// All but the energy series and the frames as JSON text, and back.
 std::string progress_to_text(const RunProgress& progress);
 RunProgress progress_from_text(const std::string& text);
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <vector>
 
 #include "common/state.hpp"
 
@@ -13,13 +14,16 @@ class Trajectory {
 public:
     explicit Trajectory(const std::filesystem::path& folder);
 
-    /// Writes frame number `index`, replacing one that an interrupted run left.
-    void add(std::int64_t index, const StateInfo& info, const State& state) const;
-    /// Joins the first `count` frames and removes their folder. Does nothing when that has been done.
-    void assemble(std::int64_t count, const StateInfo& info) const;
+    /// Writes frame number `index`, replacing one that an interrupted run left, and returns its fingerprint.
+    [[nodiscard]] std::uint64_t add(std::size_t index, const StateInfo& info, const State& state) const;
+    /// Joins the frames with these fingerprints and removes their folder. Does nothing when that has been done; where
+    /// it was interrupted while it removed them, it takes the frames that are gone from the file that it had made.
+    /// Throws InputError when a frame is damaged.
+    void assemble(const std::vector<std::uint64_t>& fingerprints, const StateInfo& info) const;
 
 private:
-    [[nodiscard]] std::filesystem::path frame(std::int64_t index) const;
+    [[nodiscard]] std::filesystem::path frame(std::size_t index) const;
+    [[nodiscard]] State read(std::size_t index, std::uint64_t fingerprint) const;
 
     std::filesystem::path file_, frames_;
 };

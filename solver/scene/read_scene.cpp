@@ -3,11 +3,11 @@
 #include <array>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 
 #include <fmt/format.h>
 
 #include "common/error.hpp"
+#include "common/fingerprint.hpp"
 #include "common/number.hpp"
 #include "solver/scene/particle_scene.hpp"
 #include "solver/scene/read_model.hpp"
@@ -31,15 +31,11 @@ void read_output(const Config& output, Scene& scene) {
 }
 
 /// A comment that changes with the content of a file that the scene reads, so that a run with other particles is not
-/// taken for the same one (FNV-1a hash).
+/// taken for the same one.
 std::string fingerprint(const std::filesystem::path& file) {
-    std::ifstream stream(file, std::ios::binary);
-    if (!stream) throw InputError(file.string() + ": the file of the particles cannot be opened; check the path");
-    std::uint64_t hash = 0xcbf29ce484222325ULL;
-    for (std::istreambuf_iterator<char> byte(stream), end; byte != end; ++byte) {
-        hash = (hash ^ static_cast<unsigned char>(*byte)) * 0x100000001b3ULL;
-    }
-    return fmt::format("# content of {}: {:016x}\n", file.filename().string(), hash);
+    if (!std::ifstream(file))
+        throw InputError(file.string() + ": the file of the particles cannot be opened; check the path");
+    return fmt::format("# content of {}: {:016x}\n", file.filename().string(), fingerprint_of(file));
 }
 
 void refuse_unstable_step(const Config& config, const Scene& scene) {

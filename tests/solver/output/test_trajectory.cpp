@@ -1,7 +1,10 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/error.hpp"
 #include "solver/output/trajectory.hpp"
 #include "tests/support/temporary_folder.hpp"
+#include "tests/support/throws_message.hpp"
 
 namespace recoat {
 namespace {
@@ -18,27 +21,51 @@ State state_at(std::int64_t step) {
     return state;
 }
 
-TEST(Trajectory, FramesAreWholeFilesUntilTheyAreJoined) {
-    testing::TemporaryFolder folder;
-    const Trajectory trajectory(folder.path());
-    for (std::int64_t i = 0; i < 4; ++i) trajectory.add(i, StateInfo{}, state_at(10 * i));
-    EXPECT_EQ(read_state(folder / "trajectory.frames/000002.vtkhdf").step, 20);
-    EXPECT_FALSE(std::filesystem::exists(folder / "trajectory.vtkhdf"));
-    trajectory.add(3, StateInfo{}, state_at(31));  // a resumed run writes the frame again
-    trajectory.assemble(4, StateInfo{});
-    ASSERT_EQ(count_steps(folder / "trajectory.vtkhdf"), 4U);
-    EXPECT_EQ(read_state(folder / "trajectory.vtkhdf", 1).position[0].x, 10);
-    EXPECT_EQ(read_state(folder / "trajectory.vtkhdf", 3).step, 31);
-    EXPECT_FALSE(std::filesystem::exists(folder / "trajectory.frames"));
+class TrajectoryFolder : public ::testing::Test {
+protected:
+    TrajectoryFolder() {
+        for (std::int64_t i = 0; i < 4; ++i)
+            fingerprints_.push_back(trajectory_.add(static_cast<std::size_t>(i), StateInfo{}, state_at(10 * i)));
+    }
+
+    testing::TemporaryFolder folder_;
+    Trajectory trajectory_{folder_.path()};
+    std::vector<std::uint64_t> fingerprints_;
+};
+
+TEST_F(TrajectoryFolder, FramesAreWholeFilesUntilTheyAreJoined) {
+    EXPECT_EQ(read_state(folder_ / "trajectory.frames/000002.vtkhdf").step, 20);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "trajectory.vtkhdf"));
+    fingerprints_[3] = trajectory_.add(3, StateInfo{}, state_at(31));  // a resumed run writes the frame again
+    trajectory_.assemble(fingerprints_, StateInfo{});
+    ASSERT_EQ(count_steps(folder_ / "trajectory.vtkhdf"), 4U);
+    EXPECT_EQ(read_state(folder_ / "trajectory.vtkhdf", 1).position[0].x, 10);
+    EXPECT_EQ(read_state(folder_ / "trajectory.vtkhdf", 3).step, 31);
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "trajectory.frames"));
 }
 
-TEST(Trajectory, JoiningTwiceKeepsTheFile) {
-    testing::TemporaryFolder folder;
-    const Trajectory trajectory(folder.path());
-    trajectory.add(0, StateInfo{}, state_at(5));
-    trajectory.assemble(1, StateInfo{});
-    trajectory.assemble(1, StateInfo{});
-    EXPECT_EQ(count_steps(folder / "trajectory.vtkhdf"), 1U);
+TEST_F(TrajectoryFolder, JoiningTwiceKeepsTheFile) {
+    trajectory_.assemble(fingerprints_, StateInfo{});
+    trajectory_.assemble(fingerprints_, StateInfo{});
+    EXPECT_EQ(count_steps(folder_ / "trajectory.vtkhdf"), 4U);
+}
+
+TEST_F(TrajectoryFolder, RemovingTheFramesMayBeInterrupted) {
+    std::filesystem::copy(folder_ / "trajectory.frames", folder_ / "kept");
+    trajectory_.assemble(fingerprints_, StateInfo{});
+    std::filesystem::remove(folder_ / "kept/000001.vtkhdf");
+    std::filesystem::remove(folder_ / "kept/000003.vtkhdf");
+    std::filesystem::rename(folder_ / "kept", folder_ / "trajectory.frames");
+    trajectory_.assemble(fingerprints_, StateInfo{});
+    ASSERT_EQ(count_steps(folder_ / "trajectory.vtkhdf"), 4U);
+    for (int i = 0; i < 4; ++i) EXPECT_EQ(read_state(folder_ / "trajectory.vtkhdf", i).step, 10 * i);
+}
+
+TEST_F(TrajectoryFolder, AFrameThatIsNotAsItWasWrittenIsRefused) {
+    static_cast<void>(trajectory_.add(2, StateInfo{}, state_at(21)));
+    EXPECT_THAT(testing::message_of<InputError>([&] { trajectory_.assemble(fingerprints_, StateInfo{}); }),
+                ::testing::HasSubstr("000002.vtkhdf"));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "trajectory.vtkhdf"));
 }
 
 }  // namespace
