@@ -150,9 +150,13 @@ private:
         cursor_.split();
         if (style_ == nullptr) guess_style();
         const std::size_t columns = cursor_.cells().size();
-        if (columns == style_->columns || columns == style_->columns + 3) return;
-        cursor_.fail(fmt::format("the line has {} columns, but atoms of style {} have {} or {}; correct the line",
-                                 columns, style_->name, style_->columns, style_->columns + 3));
+        // A line cut behind the position would else be one without image flags.
+        if (index == 0 && (columns == style_->columns || columns == style_->columns + 3)) columns_ = columns;
+        if (columns == columns_) return;
+        cursor_.fail(
+            fmt::format("the line has {} columns, but atoms of style {} have {} or {}, all alike; correct the "
+                        "line",
+                        columns, style_->name, style_->columns, style_->columns + 3));
     }
 
     void read_images() {
@@ -168,6 +172,7 @@ private:
     Box box_;
     int bounds_ = 0;
     const AtomStyle* style_ = nullptr;
+    std::size_t columns_ = 0;  ///< of every atom
     Source source_;
 };
 

@@ -3,7 +3,6 @@
 import gzip
 import json
 import random
-import subprocess
 from pathlib import Path
 
 import h5py
@@ -20,42 +19,6 @@ LAYERS = {
     "yade-spheres.2000.vtu": "vtk-xml",
     "yade-text.txt": "yade-text",
 }
-
-
-@pytest.fixture
-def analyze(build, tmp_path):
-    def run(*arguments):
-        command = [build / "analyzer/recoat-analyze", *map(str, arguments)]
-        return subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
-
-    return run
-
-
-@pytest.fixture
-def good(analyze):
-    """Runs the program, which must succeed."""
-
-    def run(*arguments):
-        done = analyze(*arguments)
-        assert done.returncode == 0, done.stderr
-        return done.stdout
-
-    return run
-
-
-@pytest.fixture
-def refused(analyze, tmp_path):
-    """The one sentence of a refusal, which leaves nothing behind."""
-
-    def run(*arguments):
-        before = set(tmp_path.iterdir())
-        done = analyze(*arguments)
-        assert done.returncode == 2, done.stdout + done.stderr
-        assert set(tmp_path.iterdir()) == before
-        assert len(done.stderr.splitlines()) == 1
-        return done.stderr
-
-    return run
 
 
 def table(path):

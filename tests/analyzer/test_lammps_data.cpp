@@ -70,10 +70,12 @@ TEST_F(LammpsData, DamagedFiles) {
         begins(error(small.substr(0, small.find("2 1 1 2500"))), "layer:16: the section Atoms ends after 1 of 2"));
     EXPECT_TRUE(begins(error(small.substr(0, small.find("Atoms"))), "layer:13: there is no section Atoms"));
     EXPECT_TRUE(begins(with("1 1 0.5 2500 1 1\n"), "layer:16: the line has 6 columns, but atoms of style sphere"));
-    EXPECT_TRUE(begins(with("1 1 0.5 2500 1 inf 1\n"), "layer:16: column 6 (y): \"inf\": the number is not finite"));
-    EXPECT_TRUE(begins(with("1 1 0 2500 1 1 1\n"), "layer:16: column 3 (diameter): \"0\": a particle must have"));
-    EXPECT_TRUE(begins(with("2 1 0.5 2500 1 1 1\n"), "layer:17: the id 2 has been given to another particle"));
-    EXPECT_TRUE(begins(with("1 1 0.5 2500 1 1 7\n"), "layer:16: the particle lies at z = 7 m, outside the box"));
+    EXPECT_TRUE(begins(with("1 1 0.5 2500 1 1 1\n"), "layer:17: the line has 10 columns, but atoms of style sphere"));
+    EXPECT_TRUE(
+        begins(with("1 1 0.5 2500 1 inf 1 0 0 0\n"), "layer:16: column 6 (y): \"inf\": the number is not finite"));
+    EXPECT_TRUE(begins(with("1 1 0 2500 1 1 1 0 0 0\n"), "layer:16: column 3 (diameter): \"0\": a particle must have"));
+    EXPECT_TRUE(begins(with("2 1 0.5 2500 1 1 1 0 0 0\n"), "layer:17: the id 2 has been given to another particle"));
+    EXPECT_TRUE(begins(with("1 1 0.5 2500 1 1 7 0 0 0\n"), "layer:16: the particle lies at z = 7 m, outside the box"));
     EXPECT_TRUE(
         begins(error(replaced(small, "\nMasses", "0 0 0 xy xz yz\n\nMasses")), "layer:9: the box is triclinic"));
 }
