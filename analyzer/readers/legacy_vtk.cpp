@@ -65,6 +65,7 @@ private:
     }
 
     void read_points() {
+        if (has_points_) scanner_.fail("the file has POINTS twice; give one with a single data set");
         const std::size_t count = scanner_.count("number of points");
         const std::string type = scanner_.word("type");
         const std::vector<double> flat = scanner_.numbers(count, 3, type);

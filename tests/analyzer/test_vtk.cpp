@@ -43,6 +43,8 @@ TEST_F(Vtk, LegacyDamaged) {
     EXPECT_TRUE(begins(with("VERTICES", "VORTICES"), "layer:8: \"VORTICES\" is no keyword"));
     EXPECT_TRUE(begins(with("ASCII", "ASKII"), "layer:3: the third line says \"ASKII\""));
     EXPECT_TRUE(begins(with("ASCII", "BINARY"), "layer: byte "));
+    // Found by fuzzing: points behind the arrays that were read for fewer.
+    EXPECT_TRUE(begins(error(old_text + "POINTS 1 float\n7 8 9\n"), "layer:28: the file has POINTS twice"));
     EXPECT_TRUE(begins(error(old_text.substr(0, 80)), "layer:"));
     const std::string box =
         message_of<InputError>([] { (void)read_particles(data("liggghts-custom-boundingBox_452000.vtk")); });
