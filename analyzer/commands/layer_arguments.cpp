@@ -35,7 +35,7 @@ PreparedLayer prepare_layer(const LayerArguments& arguments) {
     AnalysisConfig resolved = read_analysis_config(config, source.info);
     lower_to_base(source, resolved.base);
     Layer layer = make_layer(source, resolved);
-    return {std::move(layer), std::move(resolved), source.format};
+    return {std::move(layer), std::move(resolved), std::move(source)};
 }
 
 void with_threads(const LayerArguments& arguments, const std::function<void()>& body) {

@@ -28,7 +28,7 @@ void add_layer_arguments(CLI::App& command, LayerArguments& arguments);
 struct PreparedLayer {
     Layer layer;
     AnalysisConfig config;
-    std::string format;  ///< name of the reader
+    Source source;  ///< z from the base
 };
 /// Reads the layer; what neither file nor configuration says comes from the particles. Throws InputError.
 [[nodiscard]] PreparedLayer prepare_layer(const LayerArguments& arguments);

@@ -35,11 +35,31 @@ std::string place_of(const Source& source, std::size_t i, char separator) {
                        shortest(source.radius[i]));
 }
 
+/// Names of the columns of the velocities that the particles have, each behind a separator.
+std::string velocity_names(const Source& source, char separator) {
+    std::string text;
+    if (!source.velocity.empty()) text += fmt::format("{0}vx{0}vy{0}vz", separator);
+    if (!source.angular_velocity.empty()) text += fmt::format("{0}omegax{0}omegay{0}omegaz", separator);
+    return text;
+}
+
+/// Velocities of a particle under these names.
+std::string velocities_of(const Source& source, std::size_t i, char separator) {
+    std::string text;
+    for (const auto* values : {&source.velocity, &source.angular_velocity}) {
+        if (values->empty()) continue;
+        const Vec3 v = (*values)[i];
+        text += fmt::format("{0}{1}{0}{2}{0}{3}", separator, shortest(v.x), shortest(v.y), shortest(v.z));
+    }
+    return text;
+}
+
 void write_csv(const fs::path& place, const Source& source) {
-    std::string text = source.id.empty() ? "x,y,z,radius\n" : "id,x,y,z,radius\n";
+    std::string text = source.id.empty() ? "x,y,z,radius" : "id,x,y,z,radius";
+    text += velocity_names(source, ',') + "\n";
     for (std::size_t i = 0; i < source.position.size(); ++i) {
         if (!source.id.empty()) text += fmt::format("{},", source.id[i]);
-        text += place_of(source, i, ',') + "\n";
+        text += place_of(source, i, ',') + velocities_of(source, i, ',') + "\n";
     }
     write_text_file(place, text);
 }
@@ -71,12 +91,14 @@ void write_lammps_dump(const fs::path& place, const Source& source) {
     std::string text = fmt::format("ITEM: TIMESTEP\n{}\nITEM: NUMBER OF ATOMS\n{}\nITEM: BOX BOUNDS", source.step,
                                    source.position.size());
     for (const bool periodic : box.periodic) text += periodic ? " pp" : " ff";
-    text += fmt::format("\n{} {}\n{} {}\n{} {}\nITEM: ATOMS id type {} {} {} radius\n", shortest(box.lower.x),
+    text += fmt::format("\n{} {}\n{} {}\n{} {}\nITEM: ATOMS id type {} {} {} radius{}\n", shortest(box.lower.x),
                         shortest(box.upper.x), shortest(box.lower.y), shortest(box.upper.y), shortest(box.lower.z),
                         shortest(box.upper.z), box.unwrapped[0] ? "xu" : "x", box.unwrapped[1] ? "yu" : "y",
-                        box.unwrapped[2] ? "zu" : "z");
+                        box.unwrapped[2] ? "zu" : "z", velocity_names(source, ' '));
     const std::vector<std::int64_t> id = identities(source);
-    for (std::size_t i = 0; i < id.size(); ++i) text += fmt::format("{} 1 {}\n", id[i], place_of(source, i, ' '));
+    for (std::size_t i = 0; i < id.size(); ++i) {
+        text += fmt::format("{} 1 {}{}\n", id[i], place_of(source, i, ' '), velocities_of(source, i, ' '));
+    }
     write_text_file(place, text);
 }
 
@@ -99,10 +121,12 @@ void write_vtkhdf(const fs::path& place, const Source& source) {
     state.id = identities(source);
     state.position = source.position;
     state.radius = source.radius;
-    // Not known: the readers do not take them.
     const Vec3 unknown = {StateInfo::unknown, StateInfo::unknown, StateInfo::unknown};
-    state.velocity.assign(state.size(), unknown);
-    state.angular_velocity.assign(state.size(), unknown);
+    state.velocity = source.velocity;
+    state.angular_velocity = source.angular_velocity;
+    for (auto* values : {&state.velocity, &state.angular_velocity}) {
+        if (values->empty()) values->assign(state.size(), unknown);
+    }
     write_state(place, info, state);
 }
 

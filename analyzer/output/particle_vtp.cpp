@@ -1,63 +1,79 @@
 #include "analyzer/output/particle_vtp.hpp"
 
-#include <bit>
-#include <cstdint>
+#include <limits>
 #include <numeric>
-#include <string>
+#include <span>
 
-#include <fmt/format.h>
-
-#include "common/output_file.hpp"
+#include "analyzer/output/vtk_file.hpp"
 
 namespace recoat {
 namespace {
 
-static_assert(std::endian::native == std::endian::little && sizeof(Vec3) == 3 * sizeof(double));
+PolyCells vertices(std::vector<Vec3> points) {
+    PolyCells cells{std::move(points), {}, {}};
+    cells.corners.resize(cells.points.size());
+    std::iota(cells.corners.begin(), cells.corners.end(), std::int64_t{0});
+    cells.ends = cells.corners;
+    for (std::int64_t& end : cells.ends) ++end;
+    return cells;
+}
 
-/// Arrays behind each other, each behind its length.
-class AppendedData {
-public:
-    /// The element that describes the array.
-    template <class Value>
-    std::string add(const std::string& name, const char* type, int components, const std::vector<Value>& values) {
-        const std::string element =
-            fmt::format(R"(<DataArray type="{}" Name="{}" NumberOfComponents="{}" format="appended" offset="{}"/>)",
-                        type, name, components, bytes_.size());
-        const std::uint64_t size = values.size() * sizeof(Value);
-        bytes_.append(reinterpret_cast<const char*>(&size), sizeof size);
-        bytes_.append(reinterpret_cast<const char*>(values.data()), size);
-        return element + "\n";
-    }
-    [[nodiscard]] const std::string& bytes() const { return bytes_; }
+/// Values of the particles at these places of the file.
+template <class Value>
+std::vector<Value> at(const std::vector<Value>& values, std::span<const std::size_t> places) {
+    std::vector<Value> result;
+    for (const std::size_t place : places) result.push_back(values[place]);
+    return result;
+}
 
-private:
-    std::string bytes_;
-};
+void add_source(VtkFile& file, const Source& source, std::span<const std::size_t> places) {
+    file.array("Radius", at(source.radius, places));
+    if (!source.id.empty()) file.array("Id", at(source.id, places));
+    if (!source.velocity.empty()) file.array("Velocity", at(source.velocity, places));
+    if (!source.angular_velocity.empty()) file.array("AngularVelocity", at(source.angular_velocity, places));
+}
 
 }  // namespace
 
 void write_vtp(const std::filesystem::path& place, const Source& source) {
-    const std::size_t count = source.position.size();
-    std::vector<std::int64_t> number(count);
-    std::iota(number.begin(), number.end(), std::int64_t{0});
-    std::vector<std::int64_t> end = number;
-    for (std::int64_t& value : end) ++value;
-    AppendedData data;
-    std::string text =
-        "<?xml version=\"1.0\"?>\n"
-        "<VTKFile type=\"PolyData\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<PolyData>\n";
-    text += fmt::format(
-        "<Piece NumberOfPoints=\"{0}\" NumberOfVerts=\"{0}\" NumberOfLines=\"0\" NumberOfStrips=\"0\" "
-        "NumberOfPolys=\"0\">\n",
-        count);
-    text += "<PointData Scalars=\"Radius\">\n" + data.add("Radius", "Float64", 1, source.radius);
-    if (!source.id.empty()) text += data.add("Id", "Int64", 1, source.id);
-    text += "</PointData>\n<Points>\n" + data.add("Points", "Float64", 3, source.position) + "</Points>\n";
-    text += "<Verts>\n" + data.add("connectivity", "Int64", 1, number) + data.add("offsets", "Int64", 1, end);
-    text += "</Verts>\n</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_";
-    text += data.bytes();
-    text += "\n</AppendedData>\n</VTKFile>\n";
-    write_text_file(place, text);
+    std::vector<std::size_t> all(source.position.size());
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    VtkFile file("PolyData");
+    begin_piece(file, vertices(source.position), false);
+    file.text("<PointData Scalars=\"Radius\">\n");
+    add_source(file, source, all);
+    file.text("</PointData>\n</Piece>\n");
+    file.write(place);
+}
+
+void write_layer_vtp(const std::filesystem::path& place, const Analysis& analysis, const AnalysisConfig& config,
+                     const Source& source) {
+    const Layer& layer = analysis.layer;
+    const double d = config.particle_diameter;
+    std::vector<Vec3> points;
+    std::vector<std::int64_t> number, cluster, size, inside;
+    std::vector<double> angle;
+    for (std::size_t i = 0; i < layer.size(); ++i) {
+        points.push_back(
+            {source.position[layer.file_index[i]].x, config.y_min + d * layer.y[i], config.base + d * layer.z[i]});
+        number.push_back(static_cast<std::int64_t>(analysis.contacts.coordination_number(i)));
+        const Cluster& mine = analysis.clusters.cluster[analysis.clusters.of_particle[i]];
+        cluster.push_back(static_cast<std::int64_t>(analysis.clusters.of_particle[i]));
+        size.push_back(static_cast<std::int64_t>(mine.size));
+        angle.push_back(mine.angle.value_or(std::numeric_limits<double>::quiet_NaN()));
+        inside.push_back(layer.in_region[i]);
+    }
+    VtkFile file("PolyData");
+    begin_piece(file, vertices(std::move(points)), false);
+    file.text("<PointData Scalars=\"CoordinationNumber\">\n");
+    add_source(file, source, layer.file_index);
+    file.array("CoordinationNumber", number);
+    file.array("Cluster", cluster);
+    file.array("ClusterSize", size);
+    file.array("ClusterAngle", angle);
+    file.array("InRegion", inside);
+    file.text("</PointData>\n</Piece>\n");
+    file.write(place);
 }
 
 }  // namespace recoat

@@ -1,0 +1,121 @@
+#include "analyzer/output/voxel_volume.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+#include <openvdb/io/File.h>
+#include <openvdb/tools/LevelSetUtil.h>
+#include <openvdb/tools/ParticlesToLevelSet.h>
+
+#include "analyzer/fields/voxel_mask.hpp"
+#include "common/error.hpp"
+#include "common/output_file.hpp"
+#include "common/version.hpp"
+
+namespace recoat {
+namespace {
+
+constexpr double micrometre = 1e6;  ///< world units in a metre
+constexpr double half_width = 3;    ///< of the narrow band of the level set [voxels]
+
+/// The spheres that reach into the region and the period, with their images, in world coordinates, as OpenVDB wants
+/// them.
+class SphereList {
+public:
+    using PosType = openvdb::Vec3R;
+
+    SphereList(const Layer& layer, const AnalysisConfig& config) {
+        const double d = micrometre * config.particle_diameter;
+        for (std::size_t i = 0; i < layer.size(); ++i) {
+            const double r = layer.radius[i];
+            if (layer.x[i] + r <= 0 || layer.x[i] - r >= layer.length) continue;
+            const int turns = static_cast<int>(std::ceil(r / layer.width));
+            for (int turn = -turns; turn <= turns; ++turn) {
+                const double y = layer.y[i] + turn * layer.width;
+                if (y + r <= 0 || y - r >= layer.width) continue;
+                centre_.emplace_back(micrometre * config.x_begin + d * layer.x[i], micrometre * config.y_min + d * y,
+                                     micrometre * config.base + d * layer.z[i]);
+                radius_.push_back(d * r);
+            }
+        }
+    }
+    [[nodiscard]] std::size_t size() const { return centre_.size(); }
+    void getPos(std::size_t i, openvdb::Vec3R& centre) const { centre = centre_[i]; }
+    void getPosRad(std::size_t i, openvdb::Vec3R& centre, openvdb::Real& radius) const {
+        centre = centre_[i];
+        radius = radius_[i];
+    }
+
+private:
+    std::vector<openvdb::Vec3R> centre_;
+    std::vector<double> radius_;
+};
+
+/// Index (i, j, k) is the centre of the voxel whose lower corner lies i, j, k sides from the start of the region, y_min
+/// and the base.
+openvdb::math::Transform::Ptr transform_of(const AnalysisConfig& config, double side) {
+    auto transform = openvdb::math::Transform::createLinearTransform(side);
+    transform->postTranslate({micrometre * config.x_begin + side / 2, micrometre * config.y_min + side / 2,
+                              micrometre * config.base + side / 2});
+    return transform;
+}
+
+openvdb::FloatGrid::Ptr solid_grid(const Layer& layer, int n) {
+    const openvdb::MaskTree mask = voxel_mask(layer, n, 0, static_cast<int>(std::lround(layer.length * n)));
+    auto grid =
+        openvdb::FloatGrid::create(std::make_shared<openvdb::FloatTree>(mask, 0.0F, 1.0F, openvdb::TopologyCopy()));
+    grid->setName("solid");
+    grid->setGridClass(openvdb::GRID_FOG_VOLUME);
+    return grid;
+}
+
+openvdb::FloatGrid::Ptr distance_grid(const Layer& layer, const AnalysisConfig& config,
+                                      const openvdb::math::Transform& transform, double side) {
+    auto grid = openvdb::FloatGrid::create(static_cast<float>(half_width * side));
+    grid->setTransform(transform.copy());
+    grid->setGridClass(openvdb::GRID_LEVEL_SET);
+    openvdb::tools::ParticlesToLevelSet<openvdb::FloatGrid> raster(*grid);
+    raster.setRmin(0);
+    raster.setRmax(std::numeric_limits<double>::max());
+    raster.rasterizeSpheres(SphereList(layer, config));
+    raster.finalize(true);
+    grid->setName("distance");
+    return grid;
+}
+
+}  // namespace
+
+void write_voxel_volume(const std::filesystem::path& place, const Layer& layer, const AnalysisConfig& config,
+                        int voxels_per_dp) {
+    const int n = voxels_per_dp;
+    const double d = micrometre * config.particle_diameter, side = d / n, across = layer.width * n;
+    if (std::abs(across - std::round(across)) > 1e-6) {
+        throw InputError(
+            fmt::format("--vdb-voxels: the y period is {:.6g} voxels at {} per d_p; choose a number that divides it "
+                        "into whole voxels",
+                        across, n));
+    }
+    openvdb::initialize();
+    const auto transform = transform_of(config, side);
+    openvdb::GridPtrVec grids = {solid_grid(layer, n), distance_grid(layer, config, *transform, side)};
+    for (const auto& grid : grids) {
+        grid->setTransform(transform->copy());
+        grid->setCreator("recoat-analyze " + program_version());
+        grid->insertMeta("unit", openvdb::StringMetadata("um"));
+        grid->insertMeta("d_p", openvdb::DoubleMetadata(d));
+        grid->insertMeta("voxels_per_dp", openvdb::Int32Metadata(n));
+        grid->addStatsMetadata();
+    }
+    OutputFile output(place);
+    try {
+        openvdb::io::File file(output.path().string());
+        file.write(grids);
+        file.close();
+    } catch (const openvdb::IoError& error) {
+        throw InputError(fmt::format("{}: cannot be written: {}", place.string(), error.what()));
+    }
+    output.commit();
+}
+
+}  // namespace recoat
