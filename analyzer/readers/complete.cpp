@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
+#include <cstdint>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -82,8 +82,27 @@ void check_velocities(const Source& source, const std::string& file) {
     }
 }
 
+/// Without sorting where they are numbers from a short range, as usual.
+bool all_different(std::vector<std::int64_t> id) {
+    if (id.empty()) return true;
+    const auto [least, largest] = std::ranges::minmax(id);
+    const std::uint64_t range = static_cast<std::uint64_t>(largest) - static_cast<std::uint64_t>(least);
+    constexpr std::uint64_t bits_per_id = 64;
+    if (range >= bits_per_id * id.size()) {
+        std::ranges::sort(id);
+        return std::ranges::adjacent_find(id) == id.end();
+    }
+    std::vector<bool> seen(range + 1);
+    for (const std::int64_t value : id) {
+        const std::uint64_t place = static_cast<std::uint64_t>(value) - static_cast<std::uint64_t>(least);
+        if (seen[place]) return false;
+        seen[place] = true;
+    }
+    return true;
+}
+
 void check_identities(const Source& source, const std::string& file) {
-    if (std::ranges::adjacent_find(source.id, std::greater_equal<>()) == source.id.end()) return;  // in order
+    if (all_different(source.id)) return;
     std::vector<std::size_t> order(source.id.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return source.id[i]; });

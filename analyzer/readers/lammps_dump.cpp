@@ -60,6 +60,9 @@ public:
         source.own_unit = snapshot_.units.length;
         source.time_unit = snapshot_.units.time;
         const Vec3 low = snapshot_.box.lower, high = snapshot_.box.upper;
+        // As many lines follow, or opening the file had failed.
+        source.position.reserve(snapshot_.count);
+        source.line.reserve(snapshot_.count);
         for (std::size_t i = 0; i < snapshot_.count; ++i) {
             next_atom();
             source.position.push_back(

@@ -91,6 +91,10 @@ TEST_F(Csv, Identities) {
     EXPECT_EQ(read("id,x,y,z,r\n7,1,2,3,1\n9.0,1,2,3,1\n").id, (std::vector<std::int64_t>{7, 9}));
     EXPECT_TRUE(begins(error("id,x,y,z,r\n7,1,2,3,1\n8,1,2,3,1\n7,1,2,3,1\n"),
                        "table.csv:4: the id 7 has been given to another particle already (line 2)"));
+    // Also from a range too wide to mark every number of it, and at the ends of what is exact.
+    const std::string far = "id,x,y,z,r\n-9007199254740992,1,2,3,1\n9007199254740992,1,2,3,1\n";
+    EXPECT_EQ(read(far).id, (std::vector<std::int64_t>{-(1LL << 53), 1LL << 53}));
+    EXPECT_TRUE(begins(error(far + "-9007199254740992,1,2,3,1\n"), "table.csv:4: the id -9007199254740992 has been"));
     EXPECT_TRUE(begins(error("id,x,y,z,r\n7.5,1,2,3,1\n"), "table.csv:2: column 1 (id): \"7.5\": this is no whole"));
 }
 
