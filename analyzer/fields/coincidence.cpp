@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include <tbb/parallel_sort.h>
+
 namespace recoat {
 namespace {
 
@@ -28,11 +30,14 @@ private:
 }  // namespace
 
 std::vector<std::size_t> first_coincident(std::span<const PlanePoint> points, double period, double tolerance) {
-    std::vector<std::size_t> order(points.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, [&](std::size_t a, std::size_t b) {
-        return points[a].x != points[b].x ? points[a].x < points[b].x : a < b;
-    });
+    struct Place {
+        double x;
+        std::size_t index;
+    };
+    std::vector<Place> places(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i) places[i] = {points[i].x, i};
+    tbb::parallel_sort(places.begin(), places.end(),
+                       [](const Place& a, const Place& b) { return a.x != b.x ? a.x < b.x : a.index < b.index; });
     Groups groups(points.size());
     const auto join_if_near = [&](std::size_t a, std::size_t b, double shift) {
         if (std::abs(points[a].x - points[b].x) <= tolerance &&
@@ -40,15 +45,19 @@ std::vector<std::size_t> first_coincident(std::span<const PlanePoint> points, do
             groups.join(a, b);
     };
     // Runs of points with small steps along x; within a run near points follow each other along y.
-    for (std::size_t begin = 0; begin < order.size();) {
+    std::vector<std::size_t> run;
+    for (std::size_t begin = 0; begin < places.size();) {
         std::size_t end = begin + 1;
-        while (end < order.size() && points[order[end]].x - points[order[end - 1]].x <= tolerance) ++end;
-        const auto run = std::span(order).subspan(begin, end - begin);
-        std::ranges::sort(run, [&](std::size_t a, std::size_t b) {
-            return points[a].y != points[b].y ? points[a].y < points[b].y : a < b;
-        });
-        for (std::size_t k = 1; k < run.size(); ++k) join_if_near(run[k - 1], run[k], 0);
-        if (run.size() > 1) join_if_near(run.back(), run.front(), period);
+        while (end < places.size() && places[end].x - places[end - 1].x <= tolerance) ++end;
+        if (end - begin > 1) {
+            run.clear();
+            for (std::size_t k = begin; k < end; ++k) run.push_back(places[k].index);
+            std::ranges::sort(run, [&](std::size_t a, std::size_t b) {
+                return points[a].y != points[b].y ? points[a].y < points[b].y : a < b;
+            });
+            for (std::size_t k = 1; k < run.size(); ++k) join_if_near(run[k - 1], run[k], 0);
+            join_if_near(run.back(), run.front(), period);
+        }
         begin = end;
     }
     std::vector<std::size_t> first(points.size());

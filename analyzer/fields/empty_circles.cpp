@@ -10,14 +10,31 @@
 namespace recoat {
 namespace {
 
-std::vector<Circle> without_coincident(const std::vector<Circle>& circles, double period) {
+/// In their order, circles with the same centre once.
+std::vector<Circle> distinct(const std::vector<Circle>& circles, double period) {
     std::vector<PlanePoint> centres;
+    centres.reserve(circles.size());
     for (const Circle& circle : circles) centres.push_back({circle.x, circle.y});
     const std::vector<std::size_t> first = first_coincident(centres, period, coincidence_tolerance);
     std::vector<Circle> result;
-    for (std::size_t i = 0; i < circles.size(); ++i) {
+    for (const std::size_t i : from_large_to_small(circles)) {
         if (first[i] == i) result.push_back(circles[i]);
     }
+    return result;
+}
+
+std::vector<PersistentCircle> persistent_circles(const VoronoiGraph& graph, double x_min, double x_max) {
+    const std::vector<double> depth = persistence(graph, x_min, x_max);
+    std::vector<Circle> circles;
+    std::vector<double> depths;
+    for (std::size_t i = 0; i < depth.size(); ++i) {
+        if (depth[i] <= 0) continue;
+        circles.push_back(graph.vertices[i]);
+        depths.push_back(depth[i]);
+    }
+    std::vector<PersistentCircle> result;
+    result.reserve(circles.size());
+    for (const std::size_t i : from_large_to_small(circles)) result.push_back({circles[i], depths[i]});
     return result;
 }
 
@@ -29,12 +46,7 @@ EmptyCircles between_equal_disks(const TopView& view) {
     }
     if (view.disks.empty()) return result;
     const auto [first, last] = std::ranges::minmax(view.disks, {}, &Disk::x);
-    result.persistent.emplace();
-    const std::vector<double> depth = persistence(graph, first.x, last.x);
-    for (std::size_t i = 0; i < depth.size(); ++i) {
-        if (depth[i] > 0) result.persistent->push_back({graph.vertices[i], depth[i]});
-    }
-    std::ranges::stable_sort(*result.persistent, comes_first, &PersistentCircle::circle);
+    result.persistent = persistent_circles(graph, first.x, last.x);
     return result;
 }
 
@@ -48,8 +60,7 @@ EmptyCircles empty_circles(const Layer& layer) {
     } else {
         result.maxima = tangent_circles(view);
     }
-    result.maxima = without_coincident(result.maxima, view.period);
-    std::ranges::stable_sort(result.maxima, comes_first);
+    result.maxima = distinct(result.maxima, view.period);
     return result;
 }
 

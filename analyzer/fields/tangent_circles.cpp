@@ -2,22 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <CGAL/Apollonius_graph_2.h>
 #include <CGAL/Apollonius_graph_filtered_traits_2.h>
-#include <CGAL/Apollonius_graph_hierarchy_2.h>
 #include <CGAL/Simple_cartesian.h>
+#include <CGAL/Spatial_sort_traits_adapter_2.h>
+#include <CGAL/property_map.h>
+#include <CGAL/spatial_sort.h>
+#include <tbb/parallel_for.h>
+
+#include "analyzer/fields/plane_blocks.hpp"
 
 namespace recoat {
 namespace {
 
 using Kernel = CGAL::Simple_cartesian<double>;
 using Traits = CGAL::Apollonius_graph_filtered_traits_2<Kernel>;
-using Graph = CGAL::Apollonius_graph_hierarchy_2<Traits>;
+using Graph = CGAL::Apollonius_graph_2<Traits>;
 
 /// Sine of an angle between contacts below which three of them still count as all round.
 constexpr double right_angle_tolerance = 1e-6;
-/// Circles this far beyond the period are looked at too, lest one on its end is missed by round-off [d_p].
+/// Circles this far beyond a block are looked at too, lest one on its end is missed by round-off [d_p].
 constexpr double end_zone = 1e-3;
 
 /// Whether the directions from the circle to the disks, counter-clockwise, follow each other by at most half a turn.
@@ -72,13 +78,30 @@ std::vector<Circle> circles_between(const std::array<Disk, 3>& disks) {
     return circles;
 }
 
-std::vector<Circle> tangent_circles(const TopView& view) {
-    const std::vector<Disk> disks = view.tiled(0.5 * view.period + 2 * end_zone);
-    std::vector<Graph::Site_2> sites;
-    sites.reserve(disks.size());
-    for (const Disk& disk : disks) sites.emplace_back(Kernel::Point_2(disk.x, disk.y), disk.radius);
+namespace {
+
+/// The diagram of a block. Disks that come one near the other are each found from the one before.
+Graph diagram(const std::vector<Disk>& disks) {
+    std::vector<std::size_t> order(disks.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<Kernel::Point_2> centres;
+    centres.reserve(disks.size());
+    for (const Disk& disk : disks) centres.emplace_back(disk.x, disk.y);
+    using Places = CGAL::Pointer_property_map<Kernel::Point_2>::type;
+    CGAL::spatial_sort(order.begin(), order.end(),
+                       CGAL::Spatial_sort_traits_adapter_2<Kernel, Places>(CGAL::make_property_map(centres)));
     Graph graph;
-    graph.insert(sites.begin(), sites.end());
+    Graph::Vertex_handle near;
+    for (const std::size_t i : order) {
+        const Graph::Vertex_handle added = graph.insert({centres[i], disks[i].radius}, near);
+        if (added != Graph::Vertex_handle()) near = added;
+    }
+    return graph;
+}
+
+/// Circles whose centre belongs to a block, or lies just beyond.
+std::vector<Circle> circles_of(const PlaneBlock& block, double period) {
+    const Graph graph = diagram(block.disks);
     if (graph.dimension() < 2) return {};
     std::vector<Circle> result;
     for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
@@ -89,13 +112,30 @@ std::vector<Circle> tangent_circles(const TopView& view) {
         }
         const std::vector<Circle> circles = circles_between(touched);
         for (Circle circle : circles) {
-            if (circle.y < -end_zone || circle.y > view.period + end_zone) continue;
+            if (circle.x < block.x_begin - end_zone || circle.x > block.x_end + end_zone ||
+                circle.y < block.y_begin - end_zone || circle.y > block.y_end + end_zone)
+                continue;
             // The face stands for one circle only.
-            if (circles.size() > 1 && overlaps_any(circle, disks)) continue;
-            circle.y -= view.period * std::floor(circle.y / view.period);
+            if (circles.size() > 1 && overlaps_any(circle, block.disks)) continue;
+            circle.y -= period * std::floor(circle.y / period);
             result.push_back(circle);
         }
     }
+    return result;
+}
+
+}  // namespace
+
+std::vector<Circle> tangent_circles(const TopView& view) {
+    if (view.disks.empty()) return {};
+    const auto [smallest, largest] = std::ranges::minmax(view.disks, {}, &Disk::radius);
+    const double margin = farthest_from_centres(view) + largest.radius - smallest.radius;
+    const std::vector<PlaneBlock> blocks = plane_blocks(view, margin);
+    std::vector<std::vector<Circle>> parts(blocks.size());
+    tbb::parallel_for(std::size_t{0}, blocks.size(),
+                      [&](std::size_t b) { parts[b] = circles_of(blocks[b], view.period); });
+    std::vector<Circle> result;
+    for (const std::vector<Circle>& part : parts) result.insert(result.end(), part.begin(), part.end());
     return result;
 }
 

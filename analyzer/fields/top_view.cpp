@@ -4,6 +4,8 @@
 #include <cmath>
 #include <tuple>
 
+#include <tbb/parallel_sort.h>
+
 #include "analyzer/fields/coincidence.hpp"
 
 namespace recoat {
@@ -21,13 +23,27 @@ double coordinate_step(const Layer& layer) {
 
 }  // namespace
 
-bool comes_first(const Circle& a, const Circle& b) {
+CircleKey::CircleKey(const Circle& circle) {
     constexpr double step = 1e-9;
-    const auto key = [](const Circle& circle) {
-        return std::tuple(-std::llround(circle.radius / step), std::llround(circle.x / step),
-                          std::llround(circle.y / step));
+    values_ = {-std::llround(circle.radius / step), std::llround(circle.x / step), std::llround(circle.y / step)};
+}
+
+bool comes_first(const Circle& a, const Circle& b) { return CircleKey(a) < CircleKey(b); }
+
+std::vector<std::size_t> from_large_to_small(std::span<const Circle> circles) {
+    struct Entry {
+        CircleKey key;
+        std::size_t index;
     };
-    return key(a) < key(b);
+    std::vector<Entry> entries;
+    entries.reserve(circles.size());
+    for (const Circle& circle : circles) entries.push_back({CircleKey(circle), entries.size()});
+    tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+        return std::tie(a.key, a.index) < std::tie(b.key, b.index);
+    });
+    std::vector<std::size_t> order(entries.size());
+    std::ranges::transform(entries, order.begin(), &Entry::index);
+    return order;
 }
 
 TopView top_view(const Layer& layer) {

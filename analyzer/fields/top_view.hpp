@@ -1,6 +1,9 @@
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "analyzer/fields/layer.hpp"
@@ -19,8 +22,21 @@ struct Circle {
     double x = 0, y = 0, radius = 0;
 };
 
-/// Order of circles: from large to small, then by x and y; differences that round-off makes do not count.
+/// What the order of circles goes by: from large to small, then by x and y; differences that round-off makes do not
+/// count.
+class CircleKey {
+public:
+    explicit CircleKey(const Circle& circle);
+    friend auto operator<=>(const CircleKey&, const CircleKey&) = default;
+
+private:
+    std::array<long long, 3> values_;
+};
+
 [[nodiscard]] bool comes_first(const Circle& a, const Circle& b);
+
+/// Indices of circles in that order; those that are equal in it by their indices.
+[[nodiscard]] std::vector<std::size_t> from_large_to_small(std::span<const Circle> circles);
 
 /// The disks of a layer seen from above, whatever their height. Of disks with the same centre the largest stands for
 /// all.

@@ -22,8 +22,8 @@ struct VoronoiGraph {
     std::vector<VoronoiEdge> edges;
 };
 
-/// Finite part of the diagram, from the Delaunay triangulation of the centres and their copies within half a period:
-/// the nearest copy of a disk is never farther along y. Linear in the number of disks but for sorting.
+/// The diagram between the outermost centres along x, from Delaunay triangulations of blocks of the top view: a vertex
+/// depends on no centre farther away than the nearest. Linear in the number of disks but for sorting.
 [[nodiscard]] VoronoiGraph voronoi_graph(const TopView& view);
 
 }  // namespace recoat

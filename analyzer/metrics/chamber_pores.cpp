@@ -1,32 +1,13 @@
 #include "analyzer/metrics/chamber_pores.hpp"
 
 #include <algorithm>
-#include <functional>
 
-#include "analyzer/fields/disk_index.hpp"
+#include <tbb/parallel_invoke.h>
+
+#include "analyzer/fields/greedy_circles.hpp"
 
 namespace recoat {
 namespace {
-
-/// From large to small, each that meets none of those selected before. meets(selected, candidate, distance of centres)
-/// is true only if the distance is at most reach(selected) + own_reach(candidate).
-template <class Meets, class Reach, class OwnReach>
-std::vector<Circle> greedy(const std::vector<Circle>& candidates, double period, Meets meets, Reach reach,
-                           OwnReach own_reach) {
-    if (candidates.empty()) return {};
-    const auto [left, right] = std::ranges::minmax(candidates, {}, &Circle::x);
-    DiskIndex index(left.x, right.x, period, candidates.size());
-    std::vector<Circle> selected;
-    for (const Circle& circle : candidates) {
-        const bool taken =
-            index.any_near(circle.x, circle.y, own_reach(circle),
-                           [&](const Circle& other, double distance) { return meets(other, circle, distance); });
-        if (taken) continue;
-        index.add(circle, reach(circle));
-        selected.push_back(circle);
-    }
-    return selected;
-}
 
 /// Whether a circle is counted as one of the region.
 class RegionRule {
@@ -73,18 +54,9 @@ private:
 
 ChamberPoreMetrics chamber_pore_metrics(const Layer& layer, const AnalysisConfig& config) {
     const EmptyCircles circles = empty_circles(layer);
-    const double factor = config.chamber_f;
-    const auto nothing = [](const Circle&) { return 0.0; };
-    const std::vector<Circle> separate = greedy(
-        circles.maxima, layer.width,
-        [&](const Circle& other, const Circle&, double distance) { return distance < factor * other.radius; },
-        [&](const Circle& circle) { return factor * circle.radius; }, nothing);
-    const std::vector<Circle> disjoint = greedy(
-        circles.maxima, layer.width,
-        [](const Circle& other, const Circle& circle, double distance) {
-            return distance < other.radius + circle.radius;
-        },
-        std::mem_fn(&Circle::radius), std::mem_fn(&Circle::radius));
+    std::vector<Circle> separate, disjoint;
+    tbb::parallel_invoke([&] { separate = greedy_circles(circles.maxima, layer.width, {.factor = config.chamber_f}); },
+                         [&] { disjoint = greedy_circles(circles.maxima, layer.width, {.overlap = true}); });
     const RegionRule region(layer, config);
     ChamberPoreMetrics metrics;
     metrics.all = region.apply(circles.maxima);
