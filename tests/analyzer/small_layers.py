@@ -76,10 +76,10 @@ def texts():
     }
 
 
-def write_vtkhdf(path):
+def write_vtkhdf(path, **options):
     """VTKHDF as another code would write it."""
     points, radii, velocity, ids = particles()
-    with h5py.File(path, "w") as file:
+    with h5py.File(path, "w", **options) as file:
         root = file.create_group("VTKHDF")
         root.attrs["Version"] = np.array([2, 0])
         root.attrs.create("Type", b"PolyData", dtype="S8")

@@ -67,6 +67,14 @@ def test_every_foreign_format(good, tmp_path, name, ending):
         assert np.array_equal(read_csv(tmp_path / "end.csv", ["id"])[:, 0], ids)
 
 
+@pytest.mark.parametrize("block", [512, 2048])
+def test_hdf5_behind_a_block_of_the_user(good, tmp_path, block):
+    """As programs put before it that keep notes there."""
+    small_layers.write_vtkhdf(tmp_path / "layer", userblock_size=block)
+    good("convert", "layer", "end.csv")
+    assert np.array_equal(read_csv(tmp_path / "end.csv", ["x", "y", "z"]), small_layers.particles()[0])
+
+
 @pytest.mark.parametrize("form", ["xs ys zs", "xu yu zu", "xsu ysu zsu", "xs y zu"])
 def test_scaled_and_unwrapped_coordinates(good, tmp_path, form):
     """In any image of the box along the periodic y, and scaled by the box where the name says so."""

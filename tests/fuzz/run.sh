@@ -20,7 +20,7 @@ for target in "${targets[@]}"; do
     [ -f "$here/dictionaries/$target.dict" ] && dictionary=("-dict=$here/dictionaries/$target.dict")
     longest=16384
     [ "$target" = hdf5-bytes ] && longest=131072
-    log="$build/logs/$target.log"
+    log="$build/logs/$target.log" start=$SECONDS
     # Five seconds are a hang, 1 GiB in all or 256 MiB at once too much for inputs of some kilobytes.
     if ! nice -n 19 "$build/tests/fuzz/fuzz_$target" "${dictionary[@]}" -max_total_time="$seconds" -timeout=5 \
         -rss_limit_mb=1024 -malloc_limit_mb=256 -max_len="$longest" -print_final_stats=1 \
@@ -28,6 +28,6 @@ for target in "${targets[@]}"; do
         status=1
         echo "$target: see $log"
     fi
-    echo "$target: $(sed -n 's/^stat::number_of_executed_units: //p' "$log" | tail -1) inputs in $seconds s"
+    echo "$target: $(sed -n 's/^stat::number_of_executed_units: //p' "$log" | tail -1) inputs in $((SECONDS - start)) s"
 done
 exit $status
