@@ -117,6 +117,12 @@ private:
         }
         separator_ = separator_of(cursor_.line());
         cursor_.split(separator_);
+        constexpr std::size_t most_columns = 10'000;  // more would take long to compare with each other
+        if (cursor_.cells().size() > most_columns) {
+            cursor_.fail(
+                fmt::format("the line has {} columns, which is no table of particles; give one with less than {}",
+                            cursor_.cells().size(), most_columns));
+        }
         std::vector<std::string> cells(cursor_.cells().begin(), cursor_.cells().end());
         if (cells.front().starts_with('#')) cells.front() = trimmed(std::string_view(cells.front()).substr(1));
         if (cells.front().empty()) cells.erase(cells.begin());

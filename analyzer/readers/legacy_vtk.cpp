@@ -144,7 +144,7 @@ private:
 
     void keep_or_skip(const std::string& name, std::size_t tuples, std::size_t components, const std::string& type,
                       bool of_points) {
-        if (!of_points || !VtkPoints::wanted(name, components, chosen_) || points_.has(name, components)) {
+        if (!of_points || !VtkPoints::wanted(name, components, chosen_) || points_.find(name, components)) {
             return scanner_.skip_tuples(tuples, components, type);
         }
         points_.append(name, components, scanner_.numbers(tuples, components, type));

@@ -66,8 +66,8 @@ void VtkPoints::append(std::string_view name, std::size_t components, std::span<
     }
 }
 
-bool VtkPoints::has(std::string_view name, std::size_t components) const {
-    return find_column(names, column_name(name, components, 0)).has_value();
+std::optional<std::size_t> VtkPoints::find(std::string_view name, std::size_t components) const {
+    return find_column(names, column_name(name, components, 0));
 }
 
 Source particles_from(VtkPoints points, const ColumnNames& chosen, const std::string& file) {

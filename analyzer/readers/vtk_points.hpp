@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,7 +23,8 @@ struct VtkPoints {
     void append_positions(std::span<const double> flat);
     /// Adds the values of an array of 1 or 3 components behind those that it has.
     void append(std::string_view name, std::size_t components, std::span<const double> values);
-    [[nodiscard]] bool has(std::string_view name, std::size_t components) const;
+    /// The column of an array, of a vector the first.
+    [[nodiscard]] std::optional<std::size_t> find(std::string_view name, std::size_t components) const;
 };
 
 /// Particles from points: size and identity by the names of the arrays. `file` is for errors.

@@ -50,11 +50,11 @@ private:
         if (!count || *count < 0) fail(piece, "the piece does not say its NumberOfPoints; copy the file again");
         const auto size = static_cast<std::size_t>(*count);
         if (size == 0) return;
-        if (size > most_points_) {
-            fail(piece,
-                 fmt::format("the piece says that it has {} points, more than a file of this size can hold; copy "
-                             "the file again",
-                             size));
+        if (size > most_points_ - points_.position.size()) {
+            fail(piece, fmt::format(
+                            "the piece says that it has {} points, more in all than a file of this size can hold; copy "
+                            "the file again",
+                            size));
         }
         const XmlElement* points = piece.child("Points");
         const XmlElement* array = points == nullptr ? nullptr : points->child("DataArray");
@@ -70,8 +70,17 @@ private:
             const std::string name = array.attribute("Name"), components = array.attribute("NumberOfComponents", "1");
             const std::size_t width = components == "1" ? 1 : components == "3" ? 3 : 0;
             if (array.name != "DataArray" || !VtkPoints::wanted(name, width, chosen_)) continue;
+            if (is_there(name, width)) {
+                fail(array, fmt::format("the array \"{}\" is there twice; give it once", quotable(name)));
+            }
             points_.append(name, width, read_array(array, count, width, encoding_, file_));
         }
+    }
+
+    /// Whether the column has values for the points of this piece already, the last that were read.
+    [[nodiscard]] bool is_there(const std::string& name, std::size_t width) const {
+        const auto column = points_.find(name, width);
+        return column && points_.arrays[*column].size() == points_.position.size();
     }
 
     void check_arrays(const XmlElement& piece) const {

@@ -82,7 +82,7 @@ private:
             const auto array = arrays.dataset(name);
             const hdf5::Shape shape = array.shape();
             const std::size_t components = shape.size() == 1 ? 1 : shape.size() == 2 ? shape[1] : 0;
-            if (!VtkPoints::wanted(name, components, chosen_) || points.has(name, components)) continue;
+            if (!VtkPoints::wanted(name, components, chosen_) || points.find(name, components)) continue;
             points.append(name, components, array.read_rows<double>(first_row(name, step, rows), rows.count));
         }
     }

@@ -130,6 +130,9 @@ TEST_F(Csv, ErrorsOfTheFirstLine) {
 }
 
 TEST_F(Csv, FilesThatAreNoTables) {
+    std::string wide = "x";
+    for (int i = 0; i < 500'000; ++i) wide.append(",").append(std::to_string(i));
+    EXPECT_TRUE(begins(error(wide), "table.csv:1: the line has 500001 columns, which is no table of particles"));
     EXPECT_EQ(error(""), "table.csv: the file is empty; give a file of particles");
     EXPECT_EQ(error("\n \n"), "table.csv: the file has no lines of text; give a table of particles");
     EXPECT_TRUE(begins(error(std::string("x,y\0z", 5)), "table.csv: the format is not known; known are:"));

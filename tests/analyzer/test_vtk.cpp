@@ -87,6 +87,15 @@ TEST_F(Vtk, XmlDamaged) {
         EXPECT_TRUE(begins(error(more), count == "2" ? "layer:10: the array \"\" has 3 numbers instead of 6"
                                                      : "layer:4: the piece says that it has " + count + " points"));
     }
+    // The same bytes again and again would make many points of few.
+    const std::size_t begin = xml_text.find("<Piece"), end = xml_text.find("</PolyData>");
+    const std::string piece = xml_text.substr(begin, end - begin);
+    std::string pieces = piece;
+    for (int i = 0; i < 3; ++i) pieces += piece;
+    EXPECT_EQ(read(replaced(xml_text, piece, pieces)).position.size(), 4U);
+    const std::string array = "<DataArray type=\"Float64\" Name=\"Radius\" format=\"ascii\">0.5\n</DataArray>\n";
+    EXPECT_TRUE(
+        begins(error(replaced(xml_text, array, array + array)), "layer:8: the array \"Radius\" is there twice"));
     for (std::size_t size = 60; size + 2 < xml_text.size(); size += 7) {
         EXPECT_TRUE(begins(error(xml_text.substr(0, size)), "layer:")) << size;
     }
