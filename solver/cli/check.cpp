@@ -47,6 +47,16 @@ Json derived_json(const Scene& scene) {
              {{"paper", finite_or_null(n.inertial_length_paper)}, {"wall", finite_or_null(n.inertial_length_wall)}}}};
 }
 
+Json sizes_json(const PowderSizes& sizes) {
+    return {{"smallest", sizes.smallest},
+            {"largest", sizes.largest},
+            {"mean", sizes.mean},
+            {"sauter", sizes.sauter},
+            {"median_by_number", sizes.median_by_number},
+            {"median_by_mass", sizes.median_by_mass},
+            {"bond_number", {{"smallest", sizes.bond_smallest}, {"largest", sizes.bond_largest}}}};
+}
+
 Json limits_json(const Scene& scene) {
     Json limits = Json::array();
     for (const StepLimit& limit : time_step_limits(scene)) {
@@ -91,6 +101,7 @@ Json report_json(const Scene& scene, int threads, const EngineFactory& factory) 
                    {"particles", particles},
                    {"diameter", scene.diameter},
                    {"stiffness_ratio", scene.model.stiffness_ratio}};
+    if (const std::optional<PowderSizes> sizes = powder_sizes(scene)) report["sizes"] = sizes_json(*sizes);
     report.update(derived_json(scene));
     report["reference_speed"] = scene.reference_speed;
     report["time_step"] = scene.time_step;
@@ -122,6 +133,19 @@ std::string material_text(const Json& r) {
         }
     }
     return text + row("damping coefficient beta", r["damping_coefficient"], "");
+}
+
+std::string sizes_text(const Json& r) {
+    if (!r.contains("sizes")) return {};
+    const Json& s = r["sizes"];
+    std::string text =
+        "Sizes (mass, weight, cohesion and inertial length below are those of a sphere of diameter d_p)\n";
+    text += row("smallest diameter", s["smallest"], "m") + row("largest diameter", s["largest"], "m");
+    text += row("mean diameter, by number", s["mean"], "m") + row("Sauter diameter d_32", s["sauter"], "m");
+    text += row("median diameter, by number", s["median_by_number"], "m");
+    text += row("median diameter, by mass", s["median_by_mass"], "m");
+    text += row("Bond number, pair of the smallest", s["bond_number"]["smallest"], "");
+    return text + row("Bond number, pair of the largest", s["bond_number"]["largest"], "");
 }
 
 std::string cohesion_text(const Json& r) {
@@ -167,7 +191,8 @@ std::string expectation_text(const Json& r) {
 std::string check_report(const Scene& scene, int threads, bool json, const EngineFactory& factory) {
     const Json report = report_json(scene, threads, factory);
     if (json) return report.dump(2) + "\n";
-    return material_text(report) + cohesion_text(report) + time_text(report) + expectation_text(report);
+    return sizes_text(report) + material_text(report) + cohesion_text(report) + time_text(report) +
+           expectation_text(report);
 }
 
 }  // namespace recoat

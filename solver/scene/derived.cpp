@@ -27,4 +27,18 @@ DerivedNumbers derived_numbers(const Scene& scene) {
     return numbers;
 }
 
+std::optional<PowderSizes> powder_sizes(const Scene& scene) {
+    const auto* column = std::get_if<ColumnSource>(&scene.source);
+    if (!column || !column->sizes) return {};
+    const SizeDistribution& sizes = *column->sizes;
+    const auto bond = [&](double diameter) {
+        return bond_from_hamaker(scene.model.hamaker, 0.5 * diameter, scene.model.density, scene.reference_gravity,
+                                 scene.model.minimum_separation);
+    };
+    return PowderSizes{sizes.smallest(),       sizes.largest(),
+                       sizes.moment(1),        sizes.moment(3) / sizes.moment(2),
+                       sizes.diameter(0.5),    sizes.diameter_by_mass(0.5),
+                       bond(sizes.smallest()), bond(sizes.largest())};
+}
+
 }  // namespace recoat

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "solver/contact/material.hpp"
 #include "solver/scene/scene.hpp"
 
@@ -25,5 +27,17 @@ struct DerivedNumbers {
 
 /// [docs/physics.md sections 1.1, 1.7 and 5.9].
 DerivedNumbers derived_numbers(const Scene& scene);
+
+/// What a powder of unequal spheres is like. The Bond number falls as 1/d^2: weight grows as d^3, attraction as d.
+struct PowderSizes {
+    double smallest = 0, largest = 0;                 ///< bounds of the diameters [m]
+    double mean = 0;                                  ///< over the number [m]
+    double sauter = 0;                                ///< d_32, of the same surface per volume [m]
+    double median_by_number = 0, median_by_mass = 0;  ///< [m]
+    double bond_smallest = 0, bond_largest = 0;       ///< of pairs of such spheres [-]
+};
+
+/// Of a scene whose powder has a size distribution; nothing for others.
+std::optional<PowderSizes> powder_sizes(const Scene& scene);
 
 }  // namespace recoat

@@ -5,6 +5,7 @@
 #include "common/error.hpp"
 #include "common/number.hpp"
 #include "common/state.hpp"
+#include "solver/engine/limits.hpp"
 #include "solver/scene/particle_csv.hpp"
 #include "solver/scene/seeding.hpp"
 
@@ -29,14 +30,29 @@ ParticleTable from_state(const StateSource& source, const Scene& scene) {
             std::move(state.radius)};
 }
 
+/// A surface must not turn further in a step than the engine lets a particle travel.
+void refuse_fast_spins(const ParticleTable& particles, const std::filesystem::path& file, double time_step) {
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const double angle = norm(particles.angular_velocity[i]) * time_step;
+        if (angle <= limits::travel_per_step) continue;
+        throw InputError(file.string() + ": particle " + std::to_string(i) + " spins too fast: it turns by " +
+                         shortest(angle) + " rad per step, more than " + shortest(limits::travel_per_step) +
+                         "; reduce time_step, or its angular velocity");
+    }
+}
+
 }  // namespace
 
 ParticleTable initial_particles(const Scene& scene) {
     if (const auto* column = std::get_if<ColumnSource>(&scene.source)) {
         return seed_column(*column, scene.diameter, scene.y_period);
     }
-    if (const auto* table = std::get_if<TableSource>(&scene.source)) return read_particle_csv(table->file);
-    return from_state(std::get<StateSource>(scene.source), scene);
+    const auto* table = std::get_if<TableSource>(&scene.source);
+    const ParticleTable particles =
+        table ? read_particle_csv(table->file) : from_state(std::get<StateSource>(scene.source), scene);
+    const std::filesystem::path& file = table ? table->file : std::get<StateSource>(scene.source).file;
+    refuse_fast_spins(particles, file, scene.time_step);
+    return particles;
 }
 
 }  // namespace recoat

@@ -19,6 +19,7 @@ bool read_switch(const Config& config, std::string_view section, std::string_vie
 void read_material(Config& config, Scene& scene) {
     const Config material = config.section("material");
     scene.diameter = material.quantity("diameter", Dimension::length, Range::positive());
+    scene.smallest_diameter = scene.largest_diameter = scene.diameter;
     scene.model.density = material.quantity("density", Dimension::density, Range::positive());
     scene.model.youngs_modulus = material.quantity("young_modulus", Dimension::pressure, Range::positive());
     scene.model.poisson_ratio = material.number("poisson_ratio", {.lower = 0, .upper = 0.5});

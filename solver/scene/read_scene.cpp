@@ -1,5 +1,6 @@
 #include "solver/scene/read_scene.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -9,6 +10,7 @@
 #include "common/error.hpp"
 #include "common/fingerprint.hpp"
 #include "common/number.hpp"
+#include "solver/scene/initial_particles.hpp"
 #include "solver/scene/particle_scene.hpp"
 #include "solver/scene/read_model.hpp"
 #include "solver/scene/spread_scene.hpp"
@@ -48,6 +50,14 @@ void refuse_unstable_step(const Config& config, const Scene& scene) {
     }
 }
 
+/// The bounds of the sizes are those of the particles; the step must do for the smallest.
+void take_sizes_of(const ParticleTable& particles, const Config& config, Scene& scene) {
+    if (particles.size() == 0) return;
+    scene.smallest_diameter = 2 * std::ranges::min(particles.radius);
+    scene.largest_diameter = 2 * std::ranges::max(particles.radius);
+    refuse_unstable_step(config, scene);
+}
+
 }  // namespace
 
 Scene read_scene(Config config, const std::filesystem::path& folder) {
@@ -69,9 +79,11 @@ Scene read_scene(Config config, const std::filesystem::path& folder) {
 }
 
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {
-    Scene scene = read_scene(Config::load(file, overrides), file.parent_path());
+    const Config config = Config::load(file, overrides);
+    Scene scene = read_scene(config, file.parent_path());
     if (const auto* table = std::get_if<TableSource>(&scene.source)) scene.resolved += fingerprint(table->file);
     if (const auto* state = std::get_if<StateSource>(&scene.source)) scene.resolved += fingerprint(state->file);
+    if (!std::holds_alternative<ColumnSource>(scene.source)) take_sizes_of(initial_particles(scene), config, scene);
     return scene;
 }
 

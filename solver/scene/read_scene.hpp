@@ -12,8 +12,9 @@ namespace recoat {
 /// Reads a whole scene; relative file names in it start from `folder`. Throws InputError "file:line: key: sentence".
 Scene read_scene(Config config, const std::filesystem::path& folder);
 
-/// Reads a scene file with the texts of --set. The resolved configuration ends with a comment that identifies the
-/// content of the table or state file that the particles come from.
+/// Reads a scene file with the texts of --set, and the sizes of particles that come from a table or state file. The
+/// resolved configuration ends with a comment that identifies the content of the table or state file that the particles
+/// come from.
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides = {});
 
 }  // namespace recoat

@@ -11,6 +11,7 @@
 #include "solver/contact/model.hpp"
 #include "solver/engine/engine.hpp"
 #include "solver/engine/wall.hpp"
+#include "solver/scene/size_distribution.hpp"
 #include "solver/scene/stage.hpp"
 
 namespace recoat {
@@ -22,6 +23,7 @@ struct ColumnSource {
     double x_lower = 0;            ///< faces of blade and gate [m]
     double x_upper = 0;
     std::int64_t seed = 1;
+    std::optional<SizeDistribution> sizes;  ///< none: all have the diameter d_p
 };
 
 /// Particles of a CSV table.
@@ -54,8 +56,9 @@ struct OutputPlan {
 
 /// A whole simulation as data, in SI units.
 struct Scene {
-    std::string kind;     ///< spread or particles
-    double diameter = 0;  ///< d_p [m]
+    std::string kind;                                    ///< spread or particles
+    double diameter = 0;                                 ///< d_p: unit of lengths, and sphere of the Bond number [m]
+    double smallest_diameter = 0, largest_diameter = 0;  ///< that particles may have [m]
     ContactModel model;
     double bond_number = 0;           ///< of a pair of spheres of diameter d_p under `reference_gravity`
     double gravity = 0;               ///< along -z [m/s2]

@@ -2,8 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <numeric>
 #include <random>
+
+#include "solver/scene/crowd.hpp"
 
 namespace recoat {
 namespace {
@@ -21,95 +25,52 @@ private:
     std::mt19937_64 generator_;
 };
 
-/// Cells that hold one sphere at most: their diagonal is shorter than the distance of two centres. y is periodic.
-class Occupancy {
-public:
-    Occupancy(Vec3 lower, Vec3 extent, double distance)
-        : lower_(lower), period_(extent.y), distance_(distance), nx_(count(extent.x)), ny_(count(extent.y)) {
-        size_x_ = extent.x / nx_;
-        size_y_ = extent.y / ny_;
-        size_z_ = distance / std::numbers::sqrt3;
-    }
+std::vector<double> radii_of(const ColumnSource& column, double diameter) {
+    std::vector<double> radii(static_cast<std::size_t>(column.count), 0.5 * diameter);
+    if (!column.sizes) return radii;
+    Uniform uniform(column.seed ^ 0x5bd1e995);  // another stream than that of the places
+    for (double& radius : radii) radius = 0.5 * column.sizes->diameter(uniform());
+    return radii;
+}
 
-    /// Adds a centre unless it is too close to another.
-    bool add(Vec3 point) {
-        const int ix = std::min(nx_ - 1, static_cast<int>((point.x - lower_.x) / size_x_));
-        const int iy = std::min(ny_ - 1, static_cast<int>((point.y - lower_.y) / size_y_));
-        const int iz = static_cast<int>((point.z - lower_.z) / size_z_);
-        if (!free(point, ix, iy, iz)) return false;
-        if (iz >= layers_) {
-            layers_ = iz + 1;
-            cells_.resize(static_cast<std::size_t>(layers_) * nx_ * ny_, -1);
-        }
-        cells_[index(ix, iy, iz)] = static_cast<std::int64_t>(points.size());
-        points.push_back(point);
-        return true;
-    }
+/// Indices from the largest to the smallest sphere: the small ones find room between the large ones.
+std::vector<std::size_t> order_of_placing(const std::vector<double>& radii) {
+    std::vector<std::size_t> order(radii.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t i) { return radii[i]; });
+    return order;
+}
 
-    std::vector<Vec3> points;
-
-private:
-    int count(double length) const {
-        return std::max(1, static_cast<int>(std::ceil(length / (distance_ / std::numbers::sqrt3))));
-    }
-    std::size_t index(int ix, int iy, int iz) const { return (static_cast<std::size_t>(iz) * ny_ + iy) * nx_ + ix; }
-
-    bool free(Vec3 point, int ix, int iy, int iz) const {
-        const int reach_x = static_cast<int>(std::ceil(distance_ / size_x_));
-        const int reach_y = std::min(static_cast<int>(std::ceil(distance_ / size_y_)), (ny_ - 1) / 2 + 1);
-        for (int jz = std::max(0, iz - 2); jz <= std::min(layers_ - 1, iz + 2); ++jz) {
-            for (int dy = -reach_y; dy <= reach_y; ++dy) {
-                const int jy = ((iy + dy) % ny_ + ny_) % ny_;
-                for (int jx = std::max(0, ix - reach_x); jx <= std::min(nx_ - 1, ix + reach_x); ++jx) {
-                    const std::int64_t other = cells_[index(jx, jy, jz)];
-                    if (other >= 0 && too_close(point, points[static_cast<std::size_t>(other)])) return false;
-                }
-            }
-        }
-        return true;
-    }
-
-    bool too_close(Vec3 a, Vec3 b) const {
-        Vec3 d = a - b;
-        d.y -= period_ * std::round(d.y / period_);
-        return squared_norm(d) < distance_ * distance_;
-    }
-
-    Vec3 lower_;
-    double period_, distance_;
-    int nx_, ny_, layers_ = 0;
-    double size_x_, size_y_, size_z_;
-    std::vector<std::int64_t> cells_;
-};
+/// Height of the column at the stated density, one largest sphere at least.
+double height_of(const ColumnSource& column, const std::vector<double>& radii, double y_period) {
+    double volume = 0;
+    for (const double radius : radii) volume += 4 * std::numbers::pi / 3 * radius * radius * radius;
+    const double area = (column.x_upper - column.x_lower) * y_period;
+    return std::max(2 * std::ranges::max(radii), volume / (column.packing_density * area));
+}
 
 }  // namespace
 
 ParticleTable seed_column(const ColumnSource& column, double diameter, double y_period) {
-    const double margin = (0.5 + gap) * diameter;
-    const double distance = (1 + gap) * diameter;
-    const Vec3 lower{column.x_lower + margin, 0, margin};
-    const double width = column.x_upper - column.x_lower - 2 * margin;
-    const double volume = std::numbers::pi / 6 * diameter * diameter * diameter * static_cast<double>(column.count);
-    const double area = (column.x_upper - column.x_lower) * y_period;
-    double height = std::max(diameter, volume / (column.packing_density * area));
-
-    Uniform uniform(column.seed);
-    Occupancy occupied(lower, {width, y_period, 0}, distance);
-    while (static_cast<std::int64_t>(occupied.points.size()) < column.count) {
-        bool placed = false;
-        for (int attempt = 0; attempt < tries && !placed; ++attempt) {
-            const double x = lower.x + width * uniform();
-            const double y = y_period * uniform();
-            placed = occupied.add({x, y, lower.z + height * uniform()});
-        }
-        if (!placed) height += diameter;
-    }
-
     ParticleTable table;
-    table.position = std::move(occupied.points);
-    table.velocity.resize(table.position.size());
-    table.angular_velocity.resize(table.position.size());
-    table.radius.assign(table.position.size(), 0.5 * diameter);
+    table.radius = radii_of(column, diameter);
+    table.position.resize(table.radius.size());
+    table.velocity.resize(table.radius.size());
+    table.angular_velocity.resize(table.radius.size());
+    double height = height_of(column, table.radius, y_period);
+    const double width = column.x_upper - column.x_lower, space = gap * diameter;
+    Crowd crowd({column.x_lower, 0, 0}, {width, y_period, 0}, 2 * std::ranges::max(table.radius) + space, space);
+    Uniform uniform(column.seed);
+    for (const std::size_t i : order_of_placing(table.radius)) {
+        const double margin = table.radius[i] + space;
+        for (int attempt = 1;; ++attempt) {
+            const double x = column.x_lower + margin + (width - 2 * margin) * uniform();
+            const double y = y_period * uniform();
+            table.position[i] = {x, y, margin + height * uniform()};
+            if (crowd.add(table.position[i], table.radius[i])) break;
+            if (attempt % tries == 0) height += diameter;
+        }
+    }
     return table;
 }
 

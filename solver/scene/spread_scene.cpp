@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "common/number.hpp"
+#include "solver/scene/read_sizes.hpp"
 #include "solver/scene/read_stages.hpp"
 
 namespace recoat {
@@ -19,14 +20,18 @@ struct Blade {
     double thickness, clearance, speed, lift_speed, position, height;
 };
 
-Box read_box(const Config& box, double diameter) {
+/// `largest`: diameter of the largest particles [m].
+Box read_box(const Config& box, double diameter, double largest) {
     Box result{};
     result.length = box.quantity_or("length", Dimension::length, 600 * diameter, Range::positive());
     result.width = box.quantity_or("width", Dimension::length, 40 * diameter, Range::positive());
     result.fill_length = box.quantity_or("fill_length", Dimension::length, 40 * diameter, Range::positive());
     result.behind_blade = box.quantity_or("behind_blade", Dimension::length, 5 * diameter, Range::not_negative());
-    if (result.width < 4 * diameter) box.fail("width", "the period is too short for the particles; give 4 dp or more");
-    if (result.fill_length < 2 * diameter) box.fail("fill_length", "no room for particles; give 2 dp or more");
+    const auto least = [&](double diameters) {
+        return "give " + shortest(diameters * largest / diameter) + " dp or more";
+    };
+    if (result.width < 4 * largest) box.fail("width", "the period is too short for the largest particles; " + least(4));
+    if (result.fill_length < 2 * largest) box.fail("fill_length", "no room for the largest particles; " + least(2));
     return result;
 }
 
@@ -68,8 +73,20 @@ bool wants_gate(const Config& config) {
     return false;
 }
 
-ParticleSource read_source(const Config& config, const std::filesystem::path& folder, const Scene& scene,
-                           double blade_front, double fill_length) {
+/// The sizes of the powder, where they are given; sets the bounds of the scene.
+std::optional<SizeDistribution> read_powder_sizes(const Config& powder, Scene& scene) {
+    if (!powder.has("sizes")) return {};
+    const Config section = powder.section("sizes");
+    SizeDistribution sizes = read_sizes(section);
+    scene.smallest_diameter = sizes.smallest();
+    scene.largest_diameter = sizes.largest();
+    if (scene.model.hamaker > 0 && scene.model.cut_off > 0.1 * sizes.smallest())
+        section.fail("",
+                     "cohesion.cut_off reaches further than a tenth of the smallest diameter; give a shorter cut_off");
+    return sizes;
+}
+
+ParticleSource read_source(const Config& config, const std::filesystem::path& folder, Scene& scene) {
     if (config.has("start_from")) {
         if (config.has("powder")) {
             config.fail("powder", "the particles come from start_from already; remove one of the two");
@@ -80,9 +97,8 @@ ParticleSource read_source(const Config& config, const std::filesystem::path& fo
     ColumnSource column;
     column.count = powder.integer("particles", {.lower = 1, .upper = 1e9});
     column.packing_density = powder.number_or("packing_density", 0.3, {.lower = 0, .upper = 0.35, .lower_open = true});
-    column.x_lower = blade_front;
-    column.x_upper = blade_front + fill_length;
     column.seed = scene.seed;
+    column.sizes = read_powder_sizes(powder, scene);
     return column;
 }
 
@@ -106,7 +122,8 @@ void check_room(const Config& config, const Box& box, const Blade& blade, const 
 void read_spread_scene(const Config& config, const std::filesystem::path& folder, Scene& scene) {
     const double diameter = scene.diameter;
     if (scene.gravity == 0) config.fail("gravity", "spreading needs gravity; give e.g. 9.81 m/s2");
-    const Box box = read_box(config.section_or_empty("box"), diameter);
+    scene.source = read_source(config, folder, scene);
+    const Box box = read_box(config.section_or_empty("box"), diameter, scene.largest_diameter);
     const Blade blade = read_blade(config.section("blade"), diameter);
     const double rear = -box.behind_blade;
     const double front = box.length - box.behind_blade;
@@ -119,7 +136,10 @@ void read_spread_scene(const Config& config, const std::filesystem::path& folder
     scene.walls = {plane("base", {0, 0, 0}, {0, 0, 1}), plane("rear", {rear, 0, 0}, {1, 0, 0}),
                    plane("front", {front, 0, 0}, {-1, 0, 0}), blade_wall(blade)};
     if (wants_gate(config)) scene.walls.push_back(plane("gate", {blade_front + box.fill_length, 0, 0}, {-1, 0, 0}));
-    scene.source = read_source(config, folder, scene, blade_front, box.fill_length);
+    if (auto* column = std::get_if<ColumnSource>(&scene.source)) {
+        column->x_lower = blade_front;
+        column->x_upper = blade_front + box.fill_length;
+    }
     scene.spread = SpreadGeometry{blade.clearance, blade.position, 0, box.fill_length, blade.speed};
     read_stages(config, blade.height, blade.lift_speed, scene);
     check_room(config, box, blade, scene);

@@ -16,7 +16,7 @@ struct Pair {
 
 Pair reduced_pair(const Scene& scene) {
     const ContactModel& model = scene.model;
-    const double radius = 0.5 * scene.diameter;
+    const double radius = 0.5 * scene.smallest_diameter;
     return {0.5 * radius, 0.5 * sphere_mass(radius, model.density),
             pair_moduli(model.youngs_modulus * model.stiffness_ratio, model.poisson_ratio)};
 }
@@ -25,7 +25,7 @@ Pair reduced_pair(const Scene& scene) {
 double rayleigh_time(const Scene& scene) {
     const ContactModel& model = scene.model;
     const double shear = model.youngs_modulus * model.stiffness_ratio / (2 * (1 + model.poisson_ratio));
-    return std::numbers::pi * 0.5 * scene.diameter * std::sqrt(model.density / shear) /
+    return std::numbers::pi * 0.5 * scene.smallest_diameter * std::sqrt(model.density / shear) /
            (0.1631 * model.poisson_ratio + 0.8766);
 }
 

@@ -14,14 +14,15 @@ struct StepLimit {
     bool stability = false;  ///< a longer step diverges; otherwise it costs accuracy
 };
 
-/// Largest overlap of two equal spheres that meet at relative speed `speed` without damping [m]; of the reduced
-/// stiffness [docs/physics.md section 4.1].
+/// Largest overlap of two of the smallest spheres that meet at relative speed `speed` without damping [m]; of the
+/// reduced stiffness [docs/physics.md section 4.1].
 double largest_impact_overlap(const Scene& scene, double speed);
 
 /// Duration of that impact [s].
 double contact_time(const Scene& scene, double speed);
 
-/// Every limit for spheres of diameter d_p with the reduced stiffness [docs/physics.md sections 2.5 and 4.1].
+/// Every limit for the smallest spheres of the scene with the reduced stiffness [docs/physics.md sections 2.5 and 4.1]:
+/// frequencies grow as 1/R or faster as spheres get smaller.
 std::vector<StepLimit> time_step_limits(const Scene& scene);
 
 }  // namespace recoat

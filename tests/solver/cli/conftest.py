@@ -3,6 +3,7 @@
 import json
 import subprocess
 
+import jsonschema
 import pytest
 
 MODEL = """
@@ -75,6 +76,14 @@ class Solver:
 
     def summary(self, run):
         return json.loads((self.folder / run / "summary.json").read_text())
+
+
+@pytest.fixture(scope="session")
+def validator(root):
+    """Of scenes, by the JSON Schema."""
+    schema = json.loads((root / "config/schema/scene.schema.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
 
 
 @pytest.fixture
