@@ -12,6 +12,7 @@ int parse_and_run(int argc, char** argv) {
     app.set_version_flag("--version", "recoat-analyze " + recoat::program_version());
     app.require_subcommand(1);
     recoat::add_metrics_command(app);
+    recoat::add_convergence_command(app);
     recoat::add_describe_command(app);
     recoat::add_convert_command(app);
     try {

@@ -36,10 +36,14 @@ StepChoice step_choice(const std::string& text) {
     if (text == "last") return {StepChoice::Which::last, 0};
     if (text == "first") return {StepChoice::Which::first, 0};
     if (const auto number = parse_integer(text)) return {StepChoice::Which::number, *number};
+    if (all_steps(text))
+        throw InputError("--step: all is for metrics and describe; write last, first or a number here");
     throw InputError(fmt::format("--step: \"{}\" is no time step; write last, first or its number", text));
 }
 
 }  // namespace
+
+bool all_steps(std::string_view step) { return step == "all"; }
 
 void add_read_arguments(CLI::App& command, ReadArguments& arguments) {
     command.add_option("--length-unit", arguments.length_unit, "Unit of length of a file that has none: m, mm, um, nm");
@@ -47,7 +51,8 @@ void add_read_arguments(CLI::App& command, ReadArguments& arguments) {
     auto* radius = command.add_option("--radius-column", arguments.radius_column, "Column or array of the radius");
     command.add_option("--diameter-column", arguments.diameter_column, "Column or array of the diameter")
         ->excludes(radius);
-    command.add_option("--step", arguments.step, "Time step of a file with several: last, first or its number");
+    command.add_option("--step", arguments.step,
+                       "Time step of a file with several: last, first, its number, or (metrics, describe) all");
 }
 
 void add_frame_arguments(CLI::App& command, FrameArguments& arguments) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "analyzer/readers/source.hpp"
@@ -23,6 +24,9 @@ struct FrameArguments {
 
 void add_read_arguments(CLI::App& command, ReadArguments& arguments);
 void add_frame_arguments(CLI::App& command, FrameArguments& arguments);
+
+/// Whether --step asks for every time step of the file, which a command has to see to itself.
+[[nodiscard]] bool all_steps(std::string_view step);
 
 /// What the options mean; `columns` are names that the configuration gives. Throws InputError naming the option.
 [[nodiscard]] ReadOptions read_options(const ReadArguments& arguments, ColumnNames columns = {});

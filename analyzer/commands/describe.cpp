@@ -18,11 +18,26 @@ struct Arguments {
     bool as_json = false;
 };
 
+/// Every time step: blocks, or one list.
+void describe_all(const Arguments& arguments) {
+    ReadArguments read = arguments.read;
+    read.step = "last";
+    const Recording recording(arguments.file, read_options(read));
+    std::string text;
+    for (std::size_t index = 0; index < recording.steps().size(); ++index) {
+        const Source source = recording.read(index);
+        const std::string separator = text.empty() ? "" : arguments.as_json ? "," : "\n";
+        text += fmt::format("{}{}", separator, describe_source(source, arguments.file, arguments.as_json));
+    }
+    std::fputs((arguments.as_json ? "[" + text + "]\n" : text).c_str(), stdout);
+}
+
 void describe(const Arguments& arguments) {
     if (arguments.file.empty()) {
         for (const Reader& reader : readers()) fmt::print("{:14} {}\n", reader.name, reader.description);
         return;
     }
+    if (all_steps(arguments.read.step)) return describe_all(arguments);
     const Source source = read_particles(arguments.file, read_options(arguments.read));
     std::fputs(describe_source(source, arguments.file, arguments.as_json).c_str(), stdout);
 }

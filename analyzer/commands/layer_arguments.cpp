@@ -38,6 +38,24 @@ PreparedLayer prepare_layer(const LayerArguments& arguments) {
     return {std::move(layer), std::move(resolved), std::move(source)};
 }
 
+void for_each_step(const LayerArguments& arguments,
+                   const std::function<void(std::int64_t step, PreparedLayer prepared)>& take) {
+    const Config config = load_config(arguments);
+    ReadArguments read = arguments.read;
+    read.step = "last";
+    const Recording recording(arguments.file, read_options(read, read_column_names(config)));
+    const std::size_t steps = recording.steps().size();
+    Source last = recording.read(steps - 1);
+    complete_frame(last);
+    const AnalysisConfig resolved = read_analysis_config(config, last.info);
+    for (std::size_t index = 0; index < steps; ++index) {
+        Source source = recording.read(index);
+        lower_to_base(source, resolved.base);
+        Layer layer = make_layer(source, resolved);
+        take(recording.steps()[index], {std::move(layer), resolved, std::move(source)});
+    }
+}
+
 void with_threads(const LayerArguments& arguments, const std::function<void()>& body) {
     if (arguments.threads == 0) return body();
     const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, arguments.threads);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -32,6 +33,11 @@ struct PreparedLayer {
 };
 /// Reads the layer; what neither file nor configuration says comes from the particles. Throws InputError.
 [[nodiscard]] PreparedLayer prepare_layer(const LayerArguments& arguments);
+
+/// Measures every time step of the file: `take` gets each, in the order of the file. Where the layer lies is found
+/// once, from the last step. Throws InputError.
+void for_each_step(const LayerArguments& arguments,
+                   const std::function<void(std::int64_t step, PreparedLayer prepared)>& take);
 
 /// Calls `body` with at most as many threads as the option allows.
 void with_threads(const LayerArguments& arguments, const std::function<void()>& body);

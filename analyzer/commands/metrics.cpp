@@ -12,8 +12,10 @@
 #include "analyzer/output/map_vti.hpp"
 #include "analyzer/output/particle_vtp.hpp"
 #include "analyzer/output/pore_vtp.hpp"
+#include "analyzer/output/step_series.hpp"
 #include "analyzer/output/summary.hpp"
 #include "analyzer/output/voxel_volume.hpp"
+#include "common/error.hpp"
 #include "common/output_file.hpp"
 
 namespace recoat {
@@ -61,6 +63,27 @@ void metrics(const Arguments& arguments) {
     if (!arguments.quiet) std::fputs(text_summary(analysis, config, uncertainty).c_str(), stdout);
 }
 
+void metrics_of_all_steps(const Arguments& arguments) {
+    for (const auto& [option, value] : {std::pair("--vtk", &arguments.vtk), std::pair("--vdb", &arguments.vdb)}) {
+        if (!value->empty())
+            throw InputError(fmt::format("{}: writes one time step; choose it with --step NUMBER", option));
+    }
+    std::optional<StepSeries> series;
+    const auto take = [&](std::int64_t step, PreparedLayer prepared) {
+        if (!series) {
+            series.emplace(arguments.json, arguments.out, arguments.csv,
+                           Provenance{arguments.layer.file, prepared.source.format});
+            if (!arguments.quiet) std::fputs(StepSeries::text_head().c_str(), stdout);
+        }
+        const Analysis analysis = analyse(std::move(prepared.layer), prepared.config);
+        const Uncertainty estimates = bootstrap(analysis, prepared.config);
+        series->add(step, analysis, prepared.config, estimates);
+        if (!arguments.quiet) std::fputs(StepSeries::text_line(step, analysis, estimates).c_str(), stdout);
+    };
+    for_each_step(arguments.layer, take);
+    series->finish();
+}
+
 }  // namespace
 
 void add_metrics_command(CLI::App& app) {
@@ -75,7 +98,12 @@ void add_metrics_command(CLI::App& app) {
     command->add_option("--vdb-voxels", arguments->vdb_voxels, "Voxels per d_p of --vdb; 10 if not given")
         ->check(CLI::Range(1, 1000));
     command->add_flag("--quiet", arguments->quiet, "No summary on the terminal");
-    command->callback([arguments] { with_threads(arguments->layer, [&] { metrics(*arguments); }); });
+    command->callback([arguments] {
+        with_threads(arguments->layer, [&] {
+            if (all_steps(arguments->layer.read.step)) return metrics_of_all_steps(*arguments);
+            metrics(*arguments);
+        });
+    });
 }
 
 }  // namespace recoat

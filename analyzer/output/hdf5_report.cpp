@@ -192,8 +192,10 @@ void write_voxel(const DescribedGroup& group, const VoxelMetrics& metrics) {
     write_pore_sizes(group.group("chamber_P"), metrics.chambers);
 }
 
-void write_groups(const hdf5::Group& file, const Analysis& analysis, const AnalysisConfig& config,
-                  const std::optional<Uncertainty>& uncertainty) {
+}  // namespace
+
+void write_report_groups(const hdf5::Group& file, const Analysis& analysis, const AnalysisConfig& config,
+                         const std::optional<Uncertainty>& uncertainty) {
     const auto group = [&](const std::string& name) { return DescribedGroup(file.create_group(name)); };
     write_config(file.create_group("config"), config);
     write_particles(group("particles"), analysis, config);
@@ -218,20 +220,23 @@ void write_groups(const hdf5::Group& file, const Analysis& analysis, const Analy
     if (uncertainty) write_uncertainty(file.create_group("uncertainty"), *uncertainty);
 }
 
-}  // namespace
+hdf5::File create_hdf5_report(const std::filesystem::path& path, const Provenance& provenance) {
+    constexpr std::int64_t schema_version = 1;
+    hdf5::File file = hdf5::File::create(path);
+    file.set_attribute("content", "recoat layer analysis");
+    file.set_attribute("schema_version", schema_version);
+    file.set_attribute("program_version", program_version());
+    file.set_attribute("source_file", provenance.file);
+    file.set_attribute("source_format", provenance.format);
+    return file;
+}
 
 void write_hdf5_report(const std::filesystem::path& path, const Analysis& analysis, const AnalysisConfig& config,
                        const Provenance& provenance, const std::optional<Uncertainty>& uncertainty) {
-    constexpr std::int64_t schema_version = 1;
     OutputFile output(path);
     {
-        const hdf5::File file = hdf5::File::create(output.path());
-        file.set_attribute("content", "recoat layer analysis");
-        file.set_attribute("schema_version", schema_version);
-        file.set_attribute("program_version", program_version());
-        file.set_attribute("source_file", provenance.file);
-        file.set_attribute("source_format", provenance.format);
-        write_groups(file, analysis, config, uncertainty);
+        const hdf5::File file = create_hdf5_report(output.path(), provenance);
+        write_report_groups(file, analysis, config, uncertainty);
     }
     output.commit();
 }

@@ -6,6 +6,7 @@
 
 #include "analyzer/analysis.hpp"
 #include "analyzer/uncertainty/uncertainty.hpp"
+#include "common/hdf5.hpp"
 
 namespace recoat {
 
@@ -21,5 +22,12 @@ struct Provenance {
 /// written.
 void write_hdf5_report(const std::filesystem::path& path, const Analysis& analysis, const AnalysisConfig& config,
                        const Provenance& provenance, const std::optional<Uncertainty>& uncertainty = {});
+
+/// Begins such a file: its attributes. Throws InputError.
+[[nodiscard]] hdf5::File create_hdf5_report(const std::filesystem::path& path, const Provenance& provenance);
+
+/// Writes the groups of an analysis into a file or a group.
+void write_report_groups(const hdf5::Group& group, const Analysis& analysis, const AnalysisConfig& config,
+                         const std::optional<Uncertainty>& uncertainty);
 
 }  // namespace recoat

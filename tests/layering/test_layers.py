@@ -20,6 +20,7 @@ ANALYZER = [
     "analyzer/fields",
     "analyzer/metrics",
     "analyzer/analysis",
+    "analyzer/convergence",
     "analyzer/uncertainty",
     "analyzer/output",
     "analyzer/read_arguments",
