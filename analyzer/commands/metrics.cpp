@@ -11,6 +11,7 @@
 #include "analyzer/output/json_report.hpp"
 #include "analyzer/output/map_vti.hpp"
 #include "analyzer/output/particle_vtp.hpp"
+#include "analyzer/output/plots.hpp"
 #include "analyzer/output/pore_vtp.hpp"
 #include "analyzer/output/step_series.hpp"
 #include "analyzer/output/summary.hpp"
@@ -23,7 +24,7 @@ namespace {
 
 struct Arguments {
     LayerArguments layer;
-    std::string json, out, csv, vtk, vdb;
+    std::string json, out, csv, vtk, vdb, plots;
     int vdb_voxels = 10;
     bool quiet = false;
 };
@@ -60,11 +61,18 @@ void metrics(const Arguments& arguments) {
         write_text_file(arguments.json, json_report(analysis, config, uncertainty).dump() + "\n");
     if (!arguments.csv.empty()) write_csv_tables(arguments.csv, analysis, config, estimates);
     if (!arguments.vtk.empty()) write_vtk_files(arguments.vtk, analysis, config, prepared.source);
+    if (!arguments.plots.empty()) {
+        AnalysisConfig drawn = config;
+        if (!uncertainty) drawn.bootstrap_resamples = AnalysisConfig().bootstrap_resamples;  // figures have error bars
+        const Uncertainty bars = uncertainty ? estimates : bootstrap(analysis, drawn);
+        draw_plots(arguments.plots, json_report(analysis, config, bars).dump(), prepared.source);
+    }
     if (!arguments.quiet) std::fputs(text_summary(analysis, config, uncertainty).c_str(), stdout);
 }
 
 void metrics_of_all_steps(const Arguments& arguments) {
-    for (const auto& [option, value] : {std::pair("--vtk", &arguments.vtk), std::pair("--vdb", &arguments.vdb)}) {
+    for (const auto& [option, value] : {std::pair("--vtk", &arguments.vtk), std::pair("--vdb", &arguments.vdb),
+                                        std::pair("--plots", &arguments.plots)}) {
         if (!value->empty())
             throw InputError(fmt::format("{}: writes one time step; choose it with --step NUMBER", option));
     }
@@ -97,6 +105,7 @@ void add_metrics_command(CLI::App& app) {
     command->add_option("--vdb", arguments->vdb, "Solid and signed distance as OpenVDB");
     command->add_option("--vdb-voxels", arguments->vdb_voxels, "Voxels per d_p of --vdb; 10 if not given")
         ->check(CLI::Range(1, 1000));
+    command->add_option("--plots", arguments->plots, "Standard figures in this folder, drawn with Python");
     command->add_flag("--quiet", arguments->quiet, "No summary on the terminal");
     command->callback([arguments] {
         with_threads(arguments->layer, [&] {

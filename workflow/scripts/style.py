@@ -43,11 +43,14 @@ def bond_colours(bonds):
 
 
 def bond_label(bond):
-    return f"Bo = {bond:g}"
+    """A layer on its own may be of an unknown Bond number."""
+    return "layer" if bond is None else f"Bo = {bond:g}"
 
 
 def bond_panels(bonds):
     """The paper's two panels, Bo <= 1 and Bo >= 1; a panel without a Bond number of its own is left out."""
+    if None in bonds:
+        return [("", list(bonds))]
     weak = [bond for bond in bonds if bond <= 1]
     strong = [bond for bond in bonds if bond >= 1]
     if not any(bond < 1 for bond in weak):

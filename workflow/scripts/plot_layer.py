@@ -1,0 +1,59 @@
+"""The standard figures of one layer: plot_layer.py REPORT STATE FOLDER REASON, as recoat-analyze --plots calls it.
+
+What goes wrong is written to the file REASON as one sentence.
+"""
+
+import importlib
+import os
+import sys
+from pathlib import Path
+
+FIGURES = [
+    "fig05_layer_maps",
+    "fig06_coordination_number",
+    "fig07_vertical_distribution",
+    "fig10_cluster_size",
+    "fig11_cluster_orientation",
+    "fig12_surface_height",
+    "fig14_pore_maps",
+    "fig15_pore_size_distribution",
+    "fig16_pore_size_groups",
+]
+
+
+def save(figure, pyplot, folder, name):
+    """PDF and PNG, each whole or not at all."""
+    for ending, metadata in (("pdf", {"CreationDate": None}), ("png", {"Software": None})):
+        part = folder / f".{name}.part.{ending}"
+        figure.savefig(part, metadata=metadata)
+        os.replace(part, folder / f"{name}.{ending}")
+    pyplot.close(figure)
+
+
+def draw(report, state, folder):
+    """Every figure of a layer on its own; without a Bond number, since the report does not know it."""
+    from layers import Layer
+    from style import pyplot
+
+    layer = Layer(None, None, None, str(report), str(state), {})
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in FIGURES:
+        save(importlib.import_module(name).draw([layer]), pyplot, folder, name)
+
+
+def main(report, state, folder, reason):
+    try:
+        draw(Path(report), Path(state), Path(folder))
+    except ImportError as error:
+        Path(reason).write_text(
+            f"the Python {sys.executable} has no package {error.name}; run ./setup.sh, or set RECOAT_PYTHON to one that has it"
+        )
+        return 1
+    except Exception as error:
+        Path(reason).write_text(f"{type(error).__name__}: {' '.join(str(error).split())}")
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))
