@@ -1,5 +1,6 @@
 #include "solver/scene/initial_particles.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "common/error.hpp"
@@ -30,6 +31,24 @@ ParticleTable from_state(const StateSource& source, const Scene& scene) {
             std::move(state.radius)};
 }
 
+/// Usually another unit is the cause.
+void refuse_odd_lengths(const ParticleTable& particles, const std::filesystem::path& file, double diameter) {
+    constexpr double odd = 1e4;  ///< ratio of a radius to that of d_p
+    constexpr double far = 1e9;  ///< radii from the origin: beyond, doubles are too coarse for overlaps
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        const double radius = particles.radius[i], ratio = 2 * radius / diameter;
+        const Vec3 p = particles.position[i];
+        const std::string who = file.string() + ": particle " + std::to_string(i);
+        if (!(ratio <= odd && ratio >= 1 / odd))
+            throw InputError(who + " has a radius of " + shortest(radius) + " m, " + shortest(ratio) +
+                             " of that of material.diameter; check the units, lengths are in metres");
+        if (!(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= far * radius))
+            throw InputError(who +
+                             " is more than 1e9 radii away from the origin, too far to resolve its contacts; "
+                             "check the units, or move the scene to the origin");
+    }
+}
+
 /// A surface must not turn further in a step than the engine lets a particle travel.
 void refuse_fast_spins(const ParticleTable& particles, const std::filesystem::path& file, double time_step) {
     for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -51,6 +70,7 @@ ParticleTable initial_particles(const Scene& scene) {
     const ParticleTable particles =
         table ? read_particle_csv(table->file) : from_state(std::get<StateSource>(scene.source), scene);
     const std::filesystem::path& file = table ? table->file : std::get<StateSource>(scene.source).file;
+    refuse_odd_lengths(particles, file, scene.diameter);
     refuse_fast_spins(particles, file, scene.time_step);
     return particles;
 }

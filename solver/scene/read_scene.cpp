@@ -15,6 +15,7 @@
 #include "solver/scene/read_model.hpp"
 #include "solver/scene/spread_scene.hpp"
 #include "solver/scene/time_step_limits.hpp"
+#include "solver/scene/whole_steps.hpp"
 
 namespace recoat {
 namespace {
@@ -22,7 +23,7 @@ namespace {
 std::int64_t steps_or_none(const Config& section, std::string_view key, double fallback, double time_step) {
     const double interval = section.quantity_or(key, Dimension::time, fallback, Range::not_negative());
     if (interval == 0) return 0;
-    return std::max<std::int64_t>(1, std::llround(interval / time_step));
+    return std::max<std::int64_t>(1, whole_steps(interval, time_step));
 }
 
 void read_output(const Config& output, Scene& scene) {

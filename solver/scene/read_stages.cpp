@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "solver/contact/material.hpp"
+#include "solver/scene/whole_steps.hpp"
 
 namespace recoat {
 namespace {
@@ -18,12 +19,15 @@ public:
         : scene_(scene), blade_height_(blade_height), lift_speed_(lift_speed) {}
 
     void add(const Config& item);
-    void add_duration(double duration) {
+    void add_duration(const Config& config) {
+        const double duration = config.quantity("duration", Dimension::time, Range::positive());
         scene_.stages.push_back({"run", "run", {Segment{{}, {}, steps(duration), {}}}});
+        refuse_endless(config, "duration");
     }
 
 private:
-    std::int64_t steps(double duration) const { return std::llround(duration / scene_.time_step); }
+    std::int64_t steps(double duration) const { return whole_steps(duration, scene_.time_step); }
+    void refuse_endless(const Config& item, std::string_view key) const;
     std::string kind_of(const Config& item) const;
     std::string name_of(const Config& section, const std::string& kind) const;
     std::string wall_of(const Config& section);
@@ -39,6 +43,14 @@ private:
     double blade_height_, lift_speed_;
     std::vector<std::string> removed_;
 };
+
+/// Looks at the last stage.
+void StageReader::refuse_endless(const Config& item, std::string_view key) const {
+    for (const Segment& segment : scene_.stages.back().segments) {
+        if (static_cast<double>(segment.steps) >= most_steps)
+            item.fail(key, "this takes 1e15 time steps or more; give a shorter time, a higher speed or a longer step");
+    }
+}
 
 std::string StageReader::kind_of(const Config& item) const {
     const std::vector<std::string> keys = item.keys();
@@ -155,6 +167,7 @@ void StageReader::add(const Config& item) {
     const Config section = item.section(kind);
     const std::string name = name_of(section, kind);
     scene_.stages.push_back({kind, name, segments(kind, section)});
+    refuse_endless(item, kind);
 }
 
 }  // namespace
@@ -162,7 +175,7 @@ void StageReader::add(const Config& item) {
 void read_stages(const Config& config, double blade_height, double lift_speed, Scene& scene) {
     StageReader reader(scene, blade_height, lift_speed);
     if (!scene.spread && config.has("duration")) {
-        reader.add_duration(config.quantity("duration", Dimension::time, Range::positive()));
+        reader.add_duration(config);
         return;
     }
     for (const Config& item : config.list("stages")) reader.add(item);

@@ -8,10 +8,11 @@ namespace recoat::stress {
 
 /// A scene as the files that a user would write.
 struct Case {
-    std::string scene;      ///< content of scene.yaml
-    std::string table;      ///< content of particles.csv; empty: the scene makes its own particles
-    std::string character;  ///< what is special about it, for the tally
-    double step_share = 0;  ///< time step over the stability limit at the speeds of the scene
+    std::string scene;         ///< content of scene.yaml
+    std::string table;         ///< content of particles.csv; empty: the scene makes its own particles
+    bool empty_state = false;  ///< it starts from start.vtkhdf, a state without particles
+    std::string character;     ///< what is special about it, for the tally
+    double step_share = 0;     ///< time step over the stability limit at the speeds of the scene
 };
 
 /// Scene number `index` of the run with `seed`: the same on every machine.

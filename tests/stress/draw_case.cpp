@@ -2,6 +2,7 @@
 
 #include "common/number.hpp"
 #include "common/output_file.hpp"
+#include "common/state.hpp"
 #include "tests/stress/case.hpp"
 #include "tests/stress/draw_particles.hpp"
 #include "tests/stress/draw_spread.hpp"
@@ -73,10 +74,12 @@ Case draw_particle_case(Draw& draw) {
     Case result;
     result.character = made.character;
     result.step_share = model.step_share;
-    result.table = made.table();
+    result.empty_state = made.spheres.empty() && draw.chance(0.5);
+    if (!result.empty_state) result.table = made.table();
     const bool periodic = draw.chance(0.3);
     const int steps = draw.whole(100, 5000);
-    std::string text = "scene: particles\nparticles: particles.csv\n" + model.text + draw_reference_speed(draw, model);
+    std::string text = "scene: particles\n" + model.text + draw_reference_speed(draw, model);
+    text += result.empty_state ? "start_from: start.vtkhdf\n" : "particles: particles.csv\n";
     if (periodic) {
         const bool narrow = draw.chance(0.5);
         if (narrow) result.character += ", narrow period";
@@ -98,6 +101,7 @@ Case draw_case(std::uint64_t seed, std::uint64_t index) {
 
 void write_case(const Case& scene, const std::filesystem::path& folder) {
     write_text_file(folder / "scene.yaml", scene.scene);
+    if (scene.empty_state) write_state(folder / "start.vtkhdf", {}, {});
     if (!scene.table.empty()) write_text_file(folder / "particles.csv", scene.table);
 }
 

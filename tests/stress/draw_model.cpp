@@ -63,7 +63,7 @@ ModelDraw draw_model(Draw& draw, bool needs_gravity) {
     made.gravity = gravity > 0;
     made.speed = draw.decades(1e-3, 5);
     made.smallest = 0.5 * made.diameter / (draw.chance(0.5) ? 1 : draw.decades(1, 10));
-    scene.diameter = 2 * made.smallest;
+    scene.smallest_diameter = 2 * made.smallest;
     scene.reference_speed = made.speed;
     double limit = 1;
     for (const StepLimit& each : time_step_limits(scene)) {

@@ -36,6 +36,28 @@ std::string draw_blade(Draw& draw, const ModelDraw& model, double length, std::s
                        shortest(at_least(model.speed, clearance * d, dt)));
 }
 
+/// Sizes down to those of the smallest particles of the model, for half of the scenes that have such.
+std::string draw_sizes(Draw& draw, const ModelDraw& model, std::string& character) {
+    const double largest = model.diameter, smallest = 2 * model.smallest, middle = draw.between(smallest, largest);
+    const double deviation = draw.decades(1.01, 3);
+    const int kind = draw.whole(0, 2);
+    const std::string weighting = draw.pick<std::string>({"number", "mass"});
+    if (smallest == largest || draw.chance(0.5)) return {};
+    character += ", sizes";
+    const std::string bounds = fmt::format(", smallest: {} m, largest: {} m", shortest(smallest), shortest(largest));
+    std::string numbers;
+    if (kind == 0)
+        numbers = fmt::format("normal, mean: {} m, standard_deviation: {} m{}", shortest(middle),
+                              shortest(middle * (deviation - 1)), bounds);
+    else if (kind == 1)
+        numbers = fmt::format("log_normal, median: {} m, geometric_deviation: {}{}", shortest(middle),
+                              shortest(deviation), bounds);
+    else
+        numbers = fmt::format("table, diameters: [{} m, {} m, {} m], cumulative: [0, 0.5, 1]", shortest(smallest),
+                              shortest(middle), shortest(largest));
+    return fmt::format(", sizes: {{distribution: {}, weighting: {}}}", numbers, weighting);
+}
+
 std::string draw_time(Draw& draw, double time_step) {
     return "settle_time: " + shortest(draw.whole(1, most_steps) * time_step) + " s";
 }
@@ -51,8 +73,9 @@ Case draw_spread_case(Draw& draw) {
     const double fill_length = draw.chance(0.2) ? 2 : roomy;
     const int seed = draw.whole(0, 1000000), count = draw.whole(1, 60);
     const bool one = draw.chance(0.1), trajectory = draw.chance(0.2);
-    std::string text =
-        fmt::format("scene: spread\nseed: {}\n{}powder: {{particles: {}}}\n", seed, model.text, one ? 1 : count);
+    const std::string sizes = draw_sizes(draw, model, result.character);
+    std::string text = fmt::format("scene: spread\nseed: {}\n{}powder: {{particles: {}{}}}\n", seed, model.text,
+                                   one ? 1 : count, sizes);
     text += draw_box(draw, fill_length, length);
     text += draw_blade(draw, model, length, result.character);
     text += "stages:\n  - fill: {" + draw_time(draw, model.time_step) + "}\n";

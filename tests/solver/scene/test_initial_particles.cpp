@@ -35,6 +35,22 @@ TEST_F(InitialParticles, SpinsThatCannotBeFollowedAreRefused) {
     EXPECT_THAT(testing::message_of<InputError>([&] { load("0,0,0,25e-6,0,0,0,1e300,0,0\n"); }), HasSubstr("spins"));
 }
 
+TEST_F(InitialParticles, LengthsInAnotherUnitAreRefused) {
+    for (const char* row : {"0,0,0,25,0,0,0,0,0,0\n", "0,0,0,1e-120,0,0,0,0,0,0\n", "0,0,0,1e200,0,0,0,0,0,0\n"})
+        EXPECT_THAT(testing::message_of<InputError>([&] { load(row); }), HasSubstr("particle 0 has a radius")) << row;
+    for (const char* row : {"1e17,0,0,25e-6,0,0,0,0,0,0\n", "0,-1e300,0,25e-6,0,0,0,0,0,0\n"})
+        EXPECT_THAT(testing::message_of<InputError>([&] { load(row); }), HasSubstr("away from the origin")) << row;
+    EXPECT_EQ(load("0,0,1e4,25e-6,0,0,0,0,0,0\n").kind, "particles");
+}
+
+// 1e30 s used to become a run of no steps at all.
+TEST_F(InitialParticles, ARunWithoutEndIsRefused) {
+    const std::string row = "0,0,0,25e-6,0,0,0,0,0,0\n";
+    EXPECT_THAT(testing::message_of<InputError>([&] { load(row, {"duration=1e30 s"}); }), HasSubstr("duration"));
+    EXPECT_EQ(load(row, {"duration=1e6 s"}).stages[0].steps(), 50000000000000);
+    EXPECT_EQ(load(row, {"time_step=1e-300 s", "duration=1e-298 s"}).output.energy_interval, 1000000000000000);
+}
+
 // The stability limit falls with the diameter; a table may hold smaller spheres than d_p.
 TEST_F(InitialParticles, TheTimeStepMustDoForTheSmallest) {
     const std::vector<std::string> step = {"time_step=1e-6 s"};
