@@ -117,11 +117,19 @@ int continue_from(const Scene& scene, const LatestCheckpoint& latest, const RunO
     return StageRunner(scene, options, *engine, checkpoint.progress).run();
 }
 
-}  // namespace
+/// Runs `body`; what the file system refuses it is the user's to mend.
+template <class Body>
+int with_folder(const RunOptions& options, const Body& body) {
+    try {
+        const FolderLock lock(options.folder);
+        return body();
+    } catch (const fs::filesystem_error& error) {
+        throw InputError(options.folder.string() + ": the folder cannot be used (" + error.what() +
+                         "); check its permissions and the free space");
+    }
+}
 
-int run_scene(const Scene& scene, const RunOptions& options, const EngineFactory& factory) {
-    make_folder(options.folder);
-    const FolderLock lock(options.folder);
+int run_in_folder(const Scene& scene, const RunOptions& options, const EngineFactory& factory) {
     const Plan plan = plan_for(scene, options.folder, options.overwrite);
     if (plan.kind == Plan::nothing) {
         ProgressLine(options.quiet, 0).say(options.folder.string() + ": this run is finished already; nothing to do.");
@@ -132,8 +140,7 @@ int run_scene(const Scene& scene, const RunOptions& options, const EngineFactory
     return continue_from(scene, plan.latest, options, factory);
 }
 
-int resume_run(const RunOptions& options, const EngineFactory& factory) {
-    const FolderLock lock(options.folder);
+int resume_in_folder(const RunOptions& options, const EngineFactory& factory) {
     const LatestCheckpoint latest = read_latest_checkpoint(options.folder);
     const std::string& config = latest.checkpoint.config;
     Scene scene = read_scene(Config::parse(config, (options.folder / "checkpoint.h5").string()), options.folder);
@@ -146,6 +153,17 @@ int resume_run(const RunOptions& options, const EngineFactory& factory) {
     make_folder(options.folder);
     remove_unfinished_files(options.folder);
     return continue_from(scene, latest, options, factory);
+}
+
+}  // namespace
+
+int run_scene(const Scene& scene, const RunOptions& options, const EngineFactory& factory) {
+    make_folder(options.folder);
+    return with_folder(options, [&] { return run_in_folder(scene, options, factory); });
+}
+
+int resume_run(const RunOptions& options, const EngineFactory& factory) {
+    return with_folder(options, [&] { return resume_in_folder(options, factory); });
 }
 
 }  // namespace recoat

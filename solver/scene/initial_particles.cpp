@@ -67,7 +67,7 @@ ParticleTable initial_particles(const Scene& scene) {
         return seed_column(*column, scene.diameter, scene.y_period);
     }
     const auto* table = std::get_if<TableSource>(&scene.source);
-    const ParticleTable particles =
+    ParticleTable particles =
         table ? read_particle_csv(table->file) : from_state(std::get<StateSource>(scene.source), scene);
     const std::filesystem::path& file = table ? table->file : std::get<StateSource>(scene.source).file;
     refuse_odd_lengths(particles, file, scene.diameter);

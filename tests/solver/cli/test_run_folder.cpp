@@ -84,6 +84,61 @@ TEST_F(RunFolder, NothingToResume) {
     EXPECT_THAT(testing::message_of<InputError>([&] { resume(); }), HasSubstr("no checkpoint"));
 }
 
+// Killed between the last checkpoint and the summary.
+TEST_F(RunFolder, AFinishedRunWithoutItsSummaryOnlyWritesIt) {
+    run();
+    fs::remove(folder_ / "a/summary.json");
+    EXPECT_EQ(run(), 0);
+    EXPECT_EQ(script_.made, 1);
+    EXPECT_TRUE(fs::exists(folder_ / "a/summary.json"));
+    fs::remove(folder_ / "a/summary.json");
+    fs::remove(folder_ / "a/heap.vtkhdf");
+    EXPECT_EQ(run(), 0);
+    EXPECT_EQ(script_.made, 2);
+}
+
+TEST_F(RunFolder, ADamagedCheckpointIsRefusedUnlessOverwritten) {
+    run("seed=1", 20000);
+    fs::remove(folder_ / "a/checkpoint-previous.h5");
+    fs::remove(folder_ / "a/summary.json");
+    fs::resize_file(folder_ / "a/checkpoint.h5", 3000);
+    EXPECT_THAT(testing::message_of<InputError>([&] { run(); }), HasSubstr("damaged"));
+    EXPECT_THAT(testing::message_of<InputError>([&] { resume(); }), HasSubstr("damaged"));
+    EXPECT_EQ(run("seed=1", {}, true), 0);
+    EXPECT_EQ(script_.made, 2);
+}
+
+TEST_F(RunFolder, TheEarlierCheckpointIsTakenForADamagedOne) {
+    run("seed=1", 15000);
+    run("seed=1", 20000);
+    fs::resize_file(folder_ / "a/checkpoint.h5", 3000);
+    EXPECT_EQ(resume(), 0);
+    EXPECT_EQ(script_.made, 1);
+    EXPECT_EQ(script_.restored, 2);
+}
+
+TEST_F(RunFolder, LeftoversOfAKilledRunGo) {
+    run("seed=1", 15000);
+    write_text_file(folder_ / "a/.checkpoint.h5.77.part", "half");
+    EXPECT_EQ(run(), 0);
+    EXPECT_FALSE(fs::exists(folder_ / "a/.checkpoint.h5.77.part"));
+}
+
+// A fault whose state cannot be written is a fault still.
+TEST_F(RunFolder, AFaultIsToldWhenItsStateCannotBeWritten) {
+    run("seed=1", 3000);
+    script_.fault_at = 5000;
+    fs::create_directories(folder_ / "a/fault.vtkhdf/full");
+    const std::string sentence = testing::message_of<SimulationFault>([&] { resume(); });
+    EXPECT_THAT(sentence, HasSubstr("particle 3"));
+    EXPECT_THAT(sentence, HasSubstr("is lost"));
+}
+
+TEST_F(RunFolder, WhatCannotBeRemovedIsNamed) {
+    fs::create_directories(folder_ / "a/fault.vtkhdf/full");
+    EXPECT_THAT(testing::message_of<InputError>([&] { run(); }), HasSubstr("fault.vtkhdf"));
+}
+
 TEST_F(RunFolder, AFileInPlaceOfTheFolderIsRefused) {
     write_text_file(folder_ / "a", "text");
     EXPECT_THAT(testing::message_of<InputError>([&] { run(); }), HasSubstr("cannot be made"));

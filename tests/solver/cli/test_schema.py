@@ -4,7 +4,7 @@ import pytest
 import yaml
 
 EXAMPLES = ["config/scene.yaml"] + [
-    f"config/examples/{name}.yaml" for name in ("small_spread", "collision", "wall_impact", "sliding", "pull_off")
+    f"config/examples/{name}.yaml" for name in ("small_spread", "unequal_spread", "collision", "wall_impact", "sliding", "pull_off")
 ]
 
 
