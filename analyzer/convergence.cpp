@@ -28,6 +28,7 @@ public:
     /// The share that errors are compared by is that of `scale`, or of the exact value.
     void add(std::string name, std::string unit, double exact, const std::function<double(const VoxelMetrics&)>& voxel,
              std::optional<double> scale = {}) {
+        if (std::isnan(exact)) return;
         ConvergenceQuantity quantity;
         quantity.name = std::move(name);
         quantity.unit = std::move(unit);

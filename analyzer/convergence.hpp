@@ -32,7 +32,7 @@ struct Convergence {
 
 /// Compares the voxel forms of an analysis, whose resolutions ascend, with its exact ones: packing density (also the
 /// root mean square of its node errors, of which the share is taken of the mean density), height, density pores,
-/// chamber pores by rule P of at least 0.5 d_p (not for unequal radii).
+/// chamber pores by rule P of at least 0.5 d_p (not for unequal radii); not what is undefined in the exact form.
 [[nodiscard]] Convergence convergence(const Analysis& analysis, double tolerance);
 
 /// Order and sufficient resolution of one quantity; fills in `order`, `enough` and `projected`.

@@ -17,8 +17,9 @@ public:
         std::string line = fmt::format("{:<40}{:>10}", what, number(value));
         if (uncertainty_ && !group.empty()) {
             const Interval interval = uncertainty_->at(group, name).interval.at(item);
-            line += fmt::format("   {:>9} ... {:<9} +- {:<9}", number(interval.lower), number(interval.upper),
-                                number(interval.standard_error));
+            line += std::isfinite(interval.lower) ? fmt::format("   {:>9} ... {:<9} +- {:<9}", number(interval.lower),
+                                                                number(interval.upper), number(interval.standard_error))
+                                                  : fmt::format("   {:<26} ", "no interval");
         }
         line += fmt::format(" {}", unit);
         text_ += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";

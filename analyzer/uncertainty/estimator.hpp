@@ -15,8 +15,9 @@ struct Quantity {
     std::string name;
     std::string unit;
     bool is_list = false;
-    std::vector<double> items =
-        {};  ///< of a list: what its numbers belong to (coordination number, edge of a bin, ...)
+    /// Of a list: what its numbers belong to (coordination number, edge of a bin, ...).
+    std::vector<double> items = {};
+    bool has_interval = true;  ///< false: resamples would be copies of each other
 
     [[nodiscard]] std::size_t size() const { return is_list ? items.size() : 1; }
 };

@@ -9,6 +9,9 @@
 namespace recoat {
 namespace {
 
+/// Fewer pores tell nothing about the scatter of their sizes: resamples only repeat them.
+constexpr std::size_t fewest_pores = 5;
+
 /// A pore by its place along x and its diameter [d_p].
 struct Place {
     double x, diameter;
@@ -38,6 +41,8 @@ Estimator size_estimator(const std::string& group, const std::vector<Place>& por
                          {group, "median", "d_p"},
                          {group, "group_number_fraction", "1", true, lower_edges},
                          {group, "group_area_fraction", "1", true, lower_edges}};
+    for (std::size_t k = 1; k < result.quantities.size(); ++k)
+        result.quantities[k].has_interval = pores.size() >= fewest_pores;
     result.evaluate = [=](const ColumnWeights& weights, std::vector<double>& numbers) {
         constexpr std::array half = {0.5};
         numbers.push_back(sample->count(weights));

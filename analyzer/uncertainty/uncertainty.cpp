@@ -60,7 +60,7 @@ Uncertainty bootstrap(const Analysis& analysis, const AnalysisConfig& config) {
             Estimate estimate{quantity, {}, {}};
             for (std::size_t item = 0; item < quantity.size(); ++item, ++k) {
                 estimate.value.push_back(values[k]);
-                estimate.interval.push_back(intervals[k]);
+                estimate.interval.push_back(quantity.has_interval ? intervals[k] : interval_of({}));
             }
             result.estimates.push_back(std::move(estimate));
         }

@@ -138,6 +138,22 @@ def test_schema_holds_for_the_configurations(root):
         assert not validator.is_valid(wrong), wrong
 
 
+@pytest.fixture(scope="module")
+def report_schema(root):
+    schema = json.loads((root / "config/schema/report.schema.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    return jsonschema.Draft202012Validator(schema)
+
+
+def test_schema_of_the_report(case, report_schema):
+    _, _, report, _ = case
+    assert [error.message[:300] for error in report_schema.iter_errors(report)] == []
+    assert report_schema.is_valid({"steps": [{"step": 3, **report}]})
+    wrong = [{**report, "more": 1}, {k: v for k, v in report.items() if k != "height"}, {"steps": [report]}]
+    wrong += [{**report, "height": {**report["height"], "Ra": "0.1"}}, {**report, "uncertainty": {**report["uncertainty"], "height": 3}}]
+    assert not any(map(report_schema.is_valid, wrong))
+
+
 def test_schema_and_documentation_name_the_same_keys(root):
     schema = json.loads((root / "config/schema/analysis.schema.json").read_text())["properties"]
     lines = (root / "config/analysis.yaml").read_text().splitlines()
