@@ -8,6 +8,18 @@
 namespace recoat {
 namespace {
 
+/// Chambers that are compared with those in pixels: smaller ones are the holes between touching spheres [d_p].
+constexpr double least_diameter = 0.5;
+/// Farthest that the same chamber may lie in the two forms [d_p].
+constexpr double partner_reach = 0.3;
+
+std::vector<Circle> wide_circles(const std::vector<Circle>& circles) {
+    std::vector<Circle> result;
+    std::ranges::copy_if(circles, std::back_inserter(result),
+                         [](const Circle& circle) { return 2 * circle.radius >= least_diameter; });
+    return result;
+}
+
 VoxelMetrics voxel_metrics(const Layer& layer, const Analysis& exact, const AnalysisConfig& config, int voxels_per_dp) {
     VoxelMetrics metrics;
     metrics.voxels_per_dp = voxels_per_dp;
@@ -21,7 +33,13 @@ VoxelMetrics voxel_metrics(const Layer& layer, const Analysis& exact, const Anal
         metrics.density_pore_cells.push_back(pore.cells.size());
     }
     std::ranges::sort(metrics.density_pore_cells);
-    metrics.chambers = pixel_chamber_sizes(layer, config, voxels_per_dp);
+    metrics.density_pore_errors =
+        density_pore_errors(exact.packing.exact, metrics.maps.phi, config.density_threshold, config.grid);
+    metrics.chambers = pixel_chambers(layer, config, voxels_per_dp);
+    if (exact.chamber_pores.persistent) {
+        metrics.chamber_errors = chamber_errors(wide_circles(exact.chamber_pores.persistent->circles),
+                                                wide_circles(metrics.chambers.circles), layer.width, partner_reach);
+    }
     return metrics;
 }
 

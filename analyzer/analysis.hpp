@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,7 @@
 #include "analyzer/metrics/orientation.hpp"
 #include "analyzer/metrics/packing.hpp"
 #include "analyzer/metrics/pixel_chambers.hpp"
+#include "analyzer/metrics/pore_errors.hpp"
 #include "analyzer/metrics/totals.hpp"
 #include "analyzer/metrics/vertical.hpp"
 
@@ -32,7 +34,9 @@ struct VoxelMetrics {
     HeightMetrics height;
     MapError height_error;
     std::vector<std::size_t> density_pore_cells;  ///< of the pores by 8 neighbours, ascending
-    PoreSizes chambers;                           ///< pixel form of rule P
+    PoreErrors density_pore_errors;               ///< of these
+    PixelChambers chambers;                       ///< pixel form of rule P
+    std::optional<PoreErrors> chamber_errors;     ///< of those of half a diameter and more; for equal radii only
 };
 
 /// Everything that is measured of a layer. Lengths in d_p unless a name says otherwise.

@@ -81,13 +81,14 @@ void time_exact(Clock& clock, const Layer& unsorted, const AnalysisConfig& confi
     clock.time("chamber pores", [&] { return chamber_pore_metrics(layer, config); });
 }
 
-void time_all(Clock& clock, const Layer& layer, AnalysisConfig config) {
+void time_all(Clock& clock, const Layer& unsorted, AnalysisConfig config) {
+    const Layer layer = SpatialOrder(unsorted).apply(unsorted);
     for (const int n : config.voxels_per_dp) {
         clock.time(fmt::format("voxel maps {}", n), [&] { return voxel_maps(layer, config, n); });
-        clock.time(fmt::format("pixel chambers {}", n), [&] { return pixel_chamber_sizes(layer, config, n); });
+        clock.time(fmt::format("pixel chambers {}", n), [&] { return pixel_chambers(layer, config, n); });
     }
     config.voxels_per_dp.clear();
-    clock.time("all exact", [&] { return analyse(layer, config); });
+    clock.time("all exact", [&] { return analyse(unsorted, config); });
 }
 
 }  // namespace

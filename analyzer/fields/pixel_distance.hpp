@@ -3,20 +3,23 @@
 #include <cstdint>
 #include <vector>
 
-#include "analyzer/fields/layer.hpp"
+#include "analyzer/fields/pixel_raster.hpp"
 
 namespace recoat {
 
-/// Squared distances in the top view, from the centre of every pixel to that of the nearest solid pixel, periodic along
-/// y. Pixels of side d_p / pixels_per_dp, aligned with the region and the period; solid where the centre is in a disk.
+/// Squared distances in the top view, from the centre of every pixel of some rows to that of the nearest solid pixel of
+/// the whole raster, periodic along y; 0 in the solid.
 struct PixelDistance {
-    static constexpr std::int64_t infinite = std::int64_t{1} << 60;  ///< where there is no solid pixel at all
+    std::int64_t begin = 0, rows = 0, columns = 0;  ///< first row, number of rows and columns
+    std::vector<std::uint32_t> squared;             ///< [rows][columns] in pixel sides
 
-    int i_begin = 0, nx = 0, ny = 0;    ///< first pixel along x, counted from the start of the region; pixels
-    std::vector<std::int64_t> squared;  ///< [nx][ny] in pixel sides
+    [[nodiscard]] std::uint32_t at(std::int64_t row, std::int64_t column) const {
+        return squared[static_cast<std::size_t>((row - begin) * columns + column)];
+    }
 };
 
-/// Over the region and `margin` [d_p] beyond its ends.
-[[nodiscard]] PixelDistance pixel_distance(const Layer& layer, int pixels_per_dp, double margin);
+/// Rows begin ... end - 1. Memory for these rows and as many beyond as the widest gap of these rows reaches. Distances
+/// beyond PixelRaster::farthest are cut off.
+[[nodiscard]] PixelDistance pixel_distance(const PixelRaster& raster, std::int64_t begin, std::int64_t end);
 
 }  // namespace recoat

@@ -78,6 +78,16 @@ void write_pore_sizes(const DescribedGroup& group, const PoreSizes& sizes) {
     group.column("sorted_sizes", "d_p", "all diameters, ascending", sizes.sorted);
 }
 
+void write_pore_errors(const DescribedGroup& group, const PoreErrors& errors) {
+    group.value("matched", "1", "pores of this form with an exact partner", errors.matched);
+    group.value("missed", "1", "exact pores without a partner", errors.missed);
+    group.value("spurious", "1", "pores of this form without an exact partner", errors.spurious);
+    group.value("diameter_bias", "d_p", "mean of diameter minus exact diameter over the matched; NaN: none",
+                errors.size ? errors.size->bias : none);
+    group.value("diameter_deviation", "d_p", "standard deviation of that difference; NaN: none",
+                errors.size ? errors.size->deviation : none);
+}
+
 void write_density_pores(const DescribedGroup& group, const DensityPoreMetrics& metrics, const AnalysisConfig& config) {
     write_pore_sizes(group, metrics.sizes);
     group.value("area_fraction", "1", "cells in pores over all cells of the map", metrics.area_fraction);

@@ -8,6 +8,9 @@ namespace recoat {
 /// Writes the size distribution of pores into a group.
 void write_pore_sizes(const DescribedGroup& group, const PoreSizes& sizes);
 
+/// Writes how a pixel form of pores differs from the exact one into a group.
+void write_pore_errors(const DescribedGroup& group, const PoreErrors& errors);
+
 /// Writes the density pores of one connectivity into a group: their size distribution and a table with one row each.
 void write_density_pores(const DescribedGroup& group, const DensityPoreMetrics& metrics, const AnalysisConfig& config);
 

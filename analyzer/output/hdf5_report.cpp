@@ -189,7 +189,9 @@ void write_voxel(const DescribedGroup& group, const VoxelMetrics& metrics) {
     group.value("height_max_error", "d_p", "largest |voxel - exact| height of a node", metrics.height_error.max);
     group.column("density_pore_cells_8", "1", "cells of the density pores by 8 neighbours, ascending",
                  metrics.density_pore_cells);
-    write_pore_sizes(group.group("chamber_P"), metrics.chambers);
+    write_pore_errors(group.group("density_pore_errors_8"), metrics.density_pore_errors);
+    write_pore_sizes(group.group("chamber_P"), metrics.chambers.sizes);
+    if (metrics.chamber_errors) write_pore_errors(group.group("chamber_P_errors"), *metrics.chamber_errors);
 }
 
 }  // namespace

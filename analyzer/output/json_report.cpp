@@ -95,16 +95,26 @@ Json to_json(const TotalsMetrics& totals) {
     return json;
 }
 
+Json to_json(const PoreErrors& errors) {
+    Json json = {{"matched", errors.matched}, {"missed", errors.missed}, {"spurious", errors.spurious}};
+    json["diameter_bias"] = errors.size ? Json(errors.size->bias) : Json(nullptr);
+    json["diameter_deviation"] = errors.size ? Json(errors.size->deviation) : Json(nullptr);
+    return json;
+}
+
 Json to_json(const std::vector<VoxelMetrics>& voxel) {
     Json json = Json::object();
     for (const VoxelMetrics& metrics : voxel) {
-        json[std::to_string(metrics.voxels_per_dp)] = {{"phi", to_json(metrics.phi)},
-                                                       {"phi_max_error", metrics.phi_error.max},
-                                                       {"phi_rms_error", metrics.phi_error.rms},
-                                                       {"density_pore_cells_8", metrics.density_pore_cells},
-                                                       {"height", to_json(metrics.height)},
-                                                       {"height_max_error", metrics.height_error.max},
-                                                       {"chamber_P", json_pore_sizes(metrics.chambers)}};
+        const std::string key = std::to_string(metrics.voxels_per_dp);
+        json[key] = {{"phi", to_json(metrics.phi)},
+                     {"phi_max_error", metrics.phi_error.max},
+                     {"phi_rms_error", metrics.phi_error.rms},
+                     {"density_pore_cells_8", metrics.density_pore_cells},
+                     {"height", to_json(metrics.height)},
+                     {"height_max_error", metrics.height_error.max},
+                     {"chamber_P", json_pore_sizes(metrics.chambers.sizes)},
+                     {"density_pore_errors_8", to_json(metrics.density_pore_errors)}};
+        if (metrics.chamber_errors) json[key]["chamber_P_errors"] = to_json(*metrics.chamber_errors);
     }
     return json;
 }

@@ -41,6 +41,7 @@ def test_all_cases_are_there():
 BEYOND = {"/uncertainty", "/config/base", "/maps/density_pore_4", "/maps/density_pore_8"} | {
     f"/config/bootstrap_{name}" for name in ("block", "resamples", "seed")
 }
+BEYOND |= {f"/voxel/{n}/{name}" for n in (4, 10, 20, 40) for name in ("chamber_P_errors", "density_pore_errors_8")}
 
 
 def differences(expected, report):
