@@ -23,7 +23,7 @@ std::string cause_of(const std::string& sentence) {
         {"period", "period too short"},
         {"no particles", "no particles"},
         {"spins", "spins too fast"},
-        {"inside", "start refused"},
+        {"cut_off", "attraction too far for the smallest"},
     }};
     for (const auto& [words, cause] : causes) {
         if (sentence.find(words) != std::string::npos) return cause;
