@@ -79,7 +79,7 @@ int main(int argc, char** argv) {
         setup.y_period = width;
         setup.domain_lower = {-1, -1, -1};
         setup.domain_upper = {1, 1, 1};
-        setup.threads = threads;
+        setup.resources.threads = threads;
         const auto plane = [](const char* name, Vec3 point, Vec3 normal) {
             return Wall{name, WallKind::plane, point, normal, {}, {}, {}, true};
         };

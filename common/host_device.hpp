@@ -1,11 +1,13 @@
 #pragma once
 
-/// RECOAT_HD marks a function that both the host and a CUDA device can run; RECOAT_UNROLL unrolls the short loop that
-/// follows, without which g++ does not make vectors of the loop around it.
+/// RECOAT_HD marks a function that both the host and a CUDA device can run, RECOAT_LAMBDA a lambda likewise;
+/// RECOAT_UNROLL unrolls the short loop that follows, without which g++ does not make vectors of the loop around it.
 #ifdef __CUDACC__
+#define RECOAT_LAMBDA __host__ __device__
 #define RECOAT_HD __host__ __device__ __forceinline__
 #define RECOAT_UNROLL _Pragma("unroll")
 #else
+#define RECOAT_LAMBDA
 #define RECOAT_HD inline __attribute__((always_inline))
 #define RECOAT_UNROLL _Pragma("GCC unroll 8")
 #endif

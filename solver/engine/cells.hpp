@@ -1,33 +1,79 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
-#include <vector>
+#include <limits>
 
-#include "solver/engine/particles.hpp"
+#include "solver/engine/row.hpp"
 
 namespace recoat {
 
-/// A grid of cells over the particles, periodic in y when there is a period; x runs fastest.
-class Cells {
-public:
-    /// `side` is the least cell size; cells grow where there would be many more of them than particles.
-    Cells(const std::vector<Row>& position, double side, double y_min, double y_period);
-
-    [[nodiscard]] std::int64_t count() const { return count_[0] * count_[1] * count_[2]; }
-    [[nodiscard]] std::int64_t along(int axis) const { return count_[axis]; }
-    [[nodiscard]] bool periodic() const { return periodic_; }
-    [[nodiscard]] std::int64_t coordinate(int axis, const Row& position) const;
-    [[nodiscard]] std::int64_t key(std::int64_t x, std::int64_t y, std::int64_t z) const {
-        return (y * count_[2] + z) * count_[0] + x;
-    }
-    [[nodiscard]] std::int64_t key(const Row& p) const {
-        return key(coordinate(0, p), coordinate(1, p), coordinate(2, p));
-    }
-
-private:
-    double lower_[3], inverse_[3];
-    std::int64_t count_[3];
-    bool periodic_;
+/// What a grid of cells is laid over.
+struct Extent {
+    double lower[3] = {0, 0, 0}, upper[3] = {0, 0, 0};  ///< of the centres [m]
+    std::size_t particles = 0;
+    double largest_radius = 0;  ///< [m]
 };
+
+/// A grid of cells over the particles, periodic in y when there is a period; x runs fastest.
+struct Cells {
+    double lower[3], inverse[3];
+    std::int64_t along[3];  ///< number of cells
+    bool periodic;
+
+    [[nodiscard]] std::int64_t count() const { return along[0] * along[1] * along[2]; }
+
+    RECOAT_HD std::int64_t coordinate(int axis, const Row& position) const {
+        const double x = axis == 0 ? position.x : axis == 1 ? position.y : position.z;
+        const double cell = std::floor((x - lower[axis]) * inverse[axis]);
+        const double last = static_cast<double>(along[axis] - 1);
+        // Compared this way, not-a-number comes to lie in the first cell.
+        return cell > 0 ? static_cast<std::int64_t>(cell < last ? cell : last) : 0;
+    }
+    RECOAT_HD std::int64_t key(std::int64_t x, std::int64_t y, std::int64_t z) const {
+        return (y * along[2] + z) * along[0] + x;
+    }
+    RECOAT_HD std::int64_t key(const Row& p) const { return key(coordinate(0, p), coordinate(1, p), coordinate(2, p)); }
+};
+
+/// `side` is the least cell size; cells grow where there would be many more of them than particles.
+inline Cells make_cells(Extent extent, double side, double y_min, double y_period) {
+    Cells cells{};
+    cells.periodic = y_period > 0;
+    if (cells.periodic) {
+        extent.lower[1] = y_min;
+        extent.upper[1] = y_min + y_period;
+    }
+    const double most = 8.0 * static_cast<double>(extent.particles) + 1000;
+    double volume = 1;
+    for (int a = 0; a < 3; ++a) volume *= std::floor((extent.upper[a] - extent.lower[a]) / side) + 1;
+    const double growth = volume > most ? std::cbrt(volume / most) + 1 : 1;
+    for (int a = 0; a < 3; ++a) {
+        const double length = extent.upper[a] - extent.lower[a];
+        const double fit = std::floor(length / (side * growth));
+        cells.lower[a] = extent.lower[a];
+        cells.along[a] = fit > 1 ? static_cast<std::int64_t>(fit) : 1;
+        cells.inverse[a] = length > 0 ? static_cast<double>(cells.along[a]) / length : 0;
+    }
+    return cells;
+}
+
+/// Bounds of the centres, and the largest radius.
+template <class Space>
+Extent extent_of(Space& space, const Row* position, std::size_t n) {
+    Extent extent;
+    extent.particles = n;
+    if (n == 0) return extent;
+    for (int a = 0; a < 3; ++a) {
+        const auto at = [=] RECOAT_LAMBDA(std::size_t i) {
+            const Row& p = position[i];
+            return a == 0 ? p.x : a == 1 ? p.y : p.z;
+        };
+        extent.upper[a] = space.maximum(n, at);
+        extent.lower[a] = -space.maximum(n, [=] RECOAT_LAMBDA(std::size_t i) { return -at(i); });
+    }
+    extent.largest_radius = space.maximum(n, [=] RECOAT_LAMBDA(std::size_t i) { return position[i].w; });
+    return extent;
+}
 
 }  // namespace recoat

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "solver/engine/particles.hpp"
+#include "solver/engine/row.hpp"
 
 namespace recoat {
 
@@ -33,28 +33,38 @@ struct ContactView {
     double *lost_normal, *lost_tangential, *wall_work;
     double *normal_x, *normal_y, *normal_z, *separation;
     ContactForce* force;
-    Row* rolling;  ///< w: energy that relative rolling took [J]
+    Row* rolling;
     Row* impulse;
 };
 
 /// The close list: pairs [0, pairs) sorted by (first, second), then each wall's particles in `wall_begin` order.
 ///
 /// History stays with the contact; what only one step needs is overwritten by the passes.
-struct Contacts {
+template <class Space>
+struct ContactArrays {
+    template <class T>
+    using Array = typename Space::template Array<T>;
+
     std::size_t pairs = 0;
     std::vector<std::size_t> wall_begin;         ///< [walls + 1] where each wall's contacts start
-    std::vector<std::int32_t> first, second;     ///< second = -1 - wall for walls
-    std::vector<double> slip_x, slip_y, slip_z;  ///< tangential displacement of the first relative to the second [m]
-    std::vector<double> attraction;              ///< mean attraction of the last step [N]
-    std::vector<double> lost_normal, lost_tangential;  ///< energy since the list was made [J]
-    std::vector<double> wall_work;                     ///< work of the wall since then [J]
-    std::vector<double> normal_x, normal_y, normal_z, separation;
-    std::vector<ContactForce> force;
-    std::vector<Row> rolling;  ///< torque of relative rolling on the first [N m]
-    std::vector<Row> impulse;  ///< of the attraction on the first [N s]
+    Array<std::int32_t> first, second;           ///< second = -1 - wall for walls
+    Array<double> slip_x, slip_y, slip_z;        ///< tangential displacement of the first relative to the second [m]
+    Array<double> attraction;                    ///< mean attraction of the last step [N]
+    Array<double> lost_normal, lost_tangential;  ///< energy since the list was made [J]
+    Array<double> wall_work;                     ///< work of the wall since then [J]
 
-    std::vector<std::size_t> incidence_begin;  ///< [N + 1]
-    std::vector<std::int32_t> incidence;       ///< 2 contact + (1 when the particle is the second)
+    // what every step writes anew
+    Array<double> normal_x, normal_y, normal_z, separation;
+    Array<ContactForce> force;
+    Array<Row> rolling;  ///< torque of relative rolling on the first [N m]
+    Array<Row> impulse;  ///< of the attraction on the first [N s]
+
+    // where to find contacts: follows from first and second
+    /// [N (1 + walls) + 1] pairs before those of particle i; at N (1 + w) + i, contacts before that of particle i and
+    /// wall w
+    Array<std::int32_t> offsets;
+    Array<std::int32_t> incidence_begin;  ///< [N + 1]
+    Array<std::int32_t> incidence;        ///< 2 contact + (1 when the particle is the second), ascending
 
     [[nodiscard]] std::size_t size() const { return first.size(); }
 
@@ -62,21 +72,16 @@ struct Contacts {
         first.resize(n);
         second.resize(n);
         for (auto* array : {&slip_x, &slip_y, &slip_z, &attraction, &lost_normal, &lost_tangential, &wall_work})
-            array->assign(n, 0.0);
-        rolling.assign(relative_rolling ? n : 0, Row{});
-        resize_scratch(cohesive);
+            array->resize(n);
+        resize_scratch(cohesive, relative_rolling);
     }
 
     /// Room for what the passes write anew in every step.
-    void resize_scratch(bool cohesive) {
+    void resize_scratch(bool cohesive, bool relative_rolling) {
         for (auto* array : {&normal_x, &normal_y, &normal_z, &separation}) array->resize(size());
         force.resize(size());
+        rolling.resize(relative_rolling ? size() : 0);
         impulse.resize(cohesive ? size() : 0);
-    }
-
-    void clear_counters() {
-        for (auto* array : {&lost_normal, &lost_tangential, &wall_work}) array->assign(size(), 0.0);
-        for (Row& torque : rolling) torque.w = 0;
     }
 
     [[nodiscard]] ContactView view() {
@@ -86,8 +91,21 @@ struct Contacts {
                 separation.data(), force.data(),      rolling.data(),     impulse.data()};
     }
 
+    /// Calls f(of this, of the other) for every array that a checkpoint holds.
+    template <class Other, class Function>
+    void each_saved(Other& other, const Function& f) {
+        f(first, other.first);
+        f(second, other.second);
+        f(slip_x, other.slip_x);
+        f(slip_y, other.slip_y);
+        f(slip_z, other.slip_z);
+        f(attraction, other.attraction);
+        f(lost_normal, other.lost_normal);
+        f(lost_tangential, other.lost_tangential);
+        f(wall_work, other.wall_work);
+    }
+
     [[nodiscard]] Vec3 slip(std::size_t k) const { return {slip_x[k], slip_y[k], slip_z[k]}; }
-    [[nodiscard]] Vec3 normal(std::size_t k) const { return {normal_x[k], normal_y[k], normal_z[k]}; }
 };
 
 }  // namespace recoat

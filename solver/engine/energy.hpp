@@ -2,7 +2,7 @@
 
 #include "solver/contact/law.hpp"
 #include "solver/engine/engine.hpp"
-#include "solver/engine/particles.hpp"
+#include "solver/engine/snapshot.hpp"
 
 namespace recoat {
 

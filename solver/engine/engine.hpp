@@ -9,6 +9,7 @@
 #include "common/vec3.hpp"
 #include "solver/contact/model.hpp"
 #include "solver/engine/wall.hpp"
+#include "solver/execution/resources.hpp"
 
 namespace recoat {
 
@@ -22,6 +23,8 @@ struct ParticleTable {
     [[nodiscard]] std::size_t size() const { return position.size(); }
 };
 
+enum class Backend { cpu, cuda };
+
 /// What an engine is built from.
 struct EngineSetup {
     ContactModel model;
@@ -32,7 +35,8 @@ struct EngineSetup {
     double y_period = 0;   ///< [m]; 0: not periodic
     Vec3 domain_lower;     ///< a centre outside the domain is a fault; entries may be infinite [m]
     Vec3 domain_upper;
-    int threads = 1;
+    Backend backend = Backend::cpu;
+    Resources resources;
 };
 
 /// Energies of particles and walls [J].
@@ -97,7 +101,7 @@ public:
 /// Throws InputError when a particle or wall is unusable (not finite, radius <= 0, outside the domain).
 std::unique_ptr<Engine> make_engine(const EngineSetup& setup, const ParticleTable& particles, std::vector<Wall> walls);
 
-/// Continues from `state` of an engine with the same setup; threads may differ.
+/// Continues from `state` of an engine with the same setup; threads and backend may differ.
 std::unique_ptr<Engine> restore_engine(const EngineSetup& setup, const EngineState& state);
 
 }  // namespace recoat

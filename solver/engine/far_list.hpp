@@ -1,24 +1,75 @@
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
-#include "solver/engine/execution.hpp"
-#include "solver/engine/particles.hpp"
+#include "solver/engine/neighbours.hpp"
 
 namespace recoat {
 
-/// Pairs that could come close for a while: every pair with separation below `skin`, found over cells.
+/// First particle of each cell, for particles in spatial order; `key` is scratch.
+template <class Space>
+void find_cells(Space& space, const typename Space::template Array<Row>& position, const Cells& cells,
+                typename Space::template Array<std::int64_t>& key,
+                typename Space::template Array<std::int32_t>& start) {
+    const std::size_t n = position.size();
+    key.resize(n);
+    start.resize(static_cast<std::size_t>(cells.count()) + 1);
+    const Row* rows = position.data();
+    std::int64_t* cell = key.data();
+    std::int32_t* first = start.data();
+    space.for_each(n, [=] RECOAT_LAMBDA(std::size_t i) { cell[i] = cells.key(rows[i]); });
+    space.for_each(start.size(), [=] RECOAT_LAMBDA(std::size_t c) {
+        std::size_t lower = 0, upper = n;
+        while (lower < upper) {
+            const std::size_t middle = (lower + upper) / 2;
+            if (cell[middle] < static_cast<std::int64_t>(c))
+                lower = middle + 1;
+            else
+                upper = middle;
+        }
+        first[c] = static_cast<std::int32_t>(lower);
+    });
+}
+
+/// Pairs that could come close for a while: every pair with separation below a skin, found over cells.
 /// Sorted by (first, second), first < second.
+template <class Space>
 struct FarList {
-    std::vector<std::size_t> begin;    ///< [N + 1] where each particle's partners start
-    std::vector<std::int32_t> second;  ///< ascending within each particle
+    template <class T>
+    using Array = typename Space::template Array<T>;
 
-    void build(OpenMP& space, const std::vector<Row>& position, double skin, double y_min, double y_period);
+    Array<std::int32_t> begin;   ///< [N + 1] where each particle's partners start
+    Array<std::int32_t> second;  ///< ascending within each particle
+
+    /// `position` must be in spatial order for the same skin.
+    void build(Space& space, const Array<Row>& position, double skin, double y_min, double y_period) {
+        const std::size_t n = position.size();
+        const Extent extent = extent_of(space, position.data(), n);
+        const Cells cells = make_cells(extent, 2 * extent.largest_radius + skin, y_min, y_period);
+        find_cells(space, position, cells, key_, start_);
+        const NeighbourSearch search{position.data(), cells, start_.data(), Period(y_period), skin};
+        begin.resize(n + 1);
+        std::int32_t* counts = begin.data();
+        space.for_each(n + 1, [=] RECOAT_LAMBDA(std::size_t i) {
+            std::int32_t count = 0;
+            if (i < n) search(static_cast<std::int32_t>(i), [&count](std::int32_t) { ++count; });
+            counts[i] = count;
+        });
+        space.exclusive_scan(begin);
+        second.resize(static_cast<std::size_t>(space.picked(begin, n, 1, 1).front()));
+        std::int32_t* out = second.data();
+        space.for_each(n, [=] RECOAT_LAMBDA(std::size_t i) {
+            const std::int32_t first = counts[i];
+            std::int32_t end = first;
+            search(static_cast<std::int32_t>(i), [&end, out, first](std::int32_t j) {
+                std::int32_t at = end++;
+                for (; at > first && out[at - 1] > j; --at) out[at] = out[at - 1];
+                out[at] = j;
+            });
+        });
+    }
+
+private:
+    Array<std::int64_t> key_;
+    Array<std::int32_t> start_;
 };
-
-/// Order in which particles of one cell, and neighbouring cells, lie together: new place -> old place.
-std::vector<std::int32_t> spatial_order(const std::vector<Row>& position, const std::vector<std::int64_t>& id,
-                                        double skin, double y_min, double y_period);
 
 }  // namespace recoat

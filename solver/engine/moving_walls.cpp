@@ -24,14 +24,24 @@ void MovingWalls::remove(std::size_t wall) {
 }
 
 void MovingWalls::move(std::int64_t step, double time_step) {
+    const std::vector<WallAnchor> from = anchors();
     for (std::size_t w = 0; w < now_.size(); ++w) {
-        const Wall& from = anchor_[w];
-        if (from.velocity == Vec3{}) continue;
-        const Vec3 way = static_cast<double>(step - since_[w]) * time_step * from.velocity;
-        now_[w].point = from.point + way;
-        now_[w].lower = from.lower + way;
-        now_[w].upper = from.upper + way;
+        if (from[w].velocity == Vec3{}) continue;
+        const Vec3 way = from[w].way(step, time_step);
+        now_[w].point = from[w].point + way;
+        now_[w].lower = from[w].lower + way;
+        now_[w].upper = from[w].upper + way;
     }
+}
+
+std::vector<WallAnchor> MovingWalls::anchors() const {
+    std::vector<WallAnchor> anchors;
+    for (std::size_t w = 0; w < now_.size(); ++w) {
+        const Wall& wall = anchor_[w];
+        anchors.push_back(
+            {wall.point, wall.normal, wall.lower, wall.upper, wall.velocity, since_[w], wall.kind, wall.active});
+    }
+    return anchors;
 }
 
 }  // namespace recoat

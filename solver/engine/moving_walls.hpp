@@ -7,8 +7,7 @@
 
 namespace recoat {
 
-/// Walls and where they are now. A wall's place follows from where it was when its velocity last changed, so that many
-/// small steps do not add up to a rounding error.
+/// Walls and where they are now.
 class MovingWalls {
 public:
     MovingWalls() = default;
@@ -19,6 +18,9 @@ public:
     [[nodiscard]] const std::vector<Wall>& now() const { return now_; }
     [[nodiscard]] const std::vector<Wall>& anchor() const { return anchor_; }
     [[nodiscard]] const std::vector<std::int64_t>& since() const { return since_; }
+
+    /// The same for loops that know the step.
+    [[nodiscard]] std::vector<WallAnchor> anchors() const;
 
     /// Largest speed of an active wall [m/s].
     [[nodiscard]] double fastest() const;

@@ -8,30 +8,32 @@ namespace recoat {
 
 /// Which contacts a particle has, in the fixed order in which it adds them up.
 struct IncidenceView {
-    const std::size_t* begin;
+    const std::int32_t* begin;
     const std::int32_t* entry;
 };
 
 /// Sum of what a particle's contacts do to it.
-template <bool equal_sizes, bool relative_rolling>
-RECOAT_HD ContactForce gather(std::size_t i, IncidenceView incidence, const ContactForce* forces, const Row* rolling) {
+struct Gathered {
     ContactForce sum;
-    for (std::size_t e = incidence.begin[i]; e < incidence.begin[i + 1]; ++e) {
+    Vec3 rolling;  ///< torque of relative rolling resistance, not in the sum [N m]
+
+    RECOAT_HD Vec3 torque() const { return sum.torque() + rolling; }
+};
+
+template <bool equal_sizes, bool relative_rolling>
+RECOAT_HD Gathered gather(std::size_t i, IncidenceView incidence, const ContactForce* forces, const Row* rolling) {
+    Gathered found;
+    for (std::int32_t e = incidence.begin[i], end = incidence.begin[i + 1]; e < end; ++e) {
         const std::int32_t entry = incidence.entry[e];
-        const ContactForce& contact = forces[entry >> 1];
+        const ContactForce contact = load(forces, entry >> 1);
         const bool second = entry & 1;
         const double sign = second ? -1 : 1;
         const double arm = !equal_sizes && second ? contact.arm_ratio() : 1;
         const double factor[8] = {sign, sign, sign, 1, arm, arm, arm, 0};
-        for (int c = 0; c < 8; ++c) sum.value[c] += factor[c] * contact.value[c];
-        if constexpr (relative_rolling) {
-            const Row& torque = rolling[entry >> 1];
-            sum.value[4] += sign * torque.x;
-            sum.value[5] += sign * torque.y;
-            sum.value[6] += sign * torque.z;
-        }
+        for (int c = 0; c < 8; ++c) found.sum.value[c] += factor[c] * contact.value[c];
+        if constexpr (relative_rolling) found.rolling += sign * load(rolling, entry >> 1).xyz();
     }
-    return sum;
+    return found;
 }
 
 /// Adds up a particle's contact forces and advances its velocities; without attraction also its position.
@@ -44,7 +46,7 @@ struct ParticlePass {
     IncidenceView incidence;
     const ContactForce* forces;
     const Row* rolling_torque;
-    double* lost_rolling;  ///< [N] energy taken by own-spin rolling resistance [J]
+    double* lost_rolling;  ///< [N] energy taken by rolling resistance [J]
     Vec3 gravity;
     double time_step;
     double own_rolling_length;    ///< times the radius, plus ...
@@ -52,53 +54,59 @@ struct ParticlePass {
     double speed_limit_squared;
 
     RECOAT_HD double operator()(std::size_t i) const {
-        const double radius = p.position[i].w;
-        const ContactForce sum = gather<Sizes::equal, relative_rolling>(i, incidence, forces, rolling_torque);
-        const Vec3 acceleration = sizes.inverse_mass_of(radius) * sum.force() + gravity;
-        const Vec3 velocity = p.velocity[i].xyz() + time_step * acceleration;
+        const Row position = load(p.position, i);
+        const Gathered got = gather<Sizes::equal, relative_rolling>(i, incidence, forces, rolling_torque);
+        const Vec3 acceleration = sizes.inverse_mass_of(position.w) * got.sum.force() + gravity;
+        const Vec3 velocity = load(p.velocity, i).xyz() + time_step * acceleration;
         const double square = squared_norm(velocity);
         if (!(square < speed_limit_squared)) return __builtin_huge_val();
 
-        turn(i, sum, radius);
-        p.velocity[i].set(velocity);
-        p.acceleration[i].set(acceleration);
+        turn(i, got, position.w);
+        store(p.velocity, i, row(velocity));
+        store(p.acceleration, i, row(acceleration));
         if constexpr (!cohesive) {
-            p.position[i].set(p.position[i].xyz() + time_step * velocity);
-            p.contact_velocity[i].set(velocity + 0.5 * time_step * acceleration);
+            store(p.position, i, row(position.xyz() + time_step * velocity, position.w));
+            store(p.contact_velocity, i, row(velocity + 0.5 * time_step * acceleration));
         }
         return square;
     }
 
     /// Half a step back from the start: the velocities then are those of a leapfrog that was under way.
+    /// Rolling resistance, which may stop a spin within a step, is left out.
     RECOAT_HD void start(std::size_t i) const {
-        const ContactForce sum = gather<Sizes::equal, relative_rolling>(i, incidence, forces, rolling_torque);
-        const double radius = p.position[i].w;
-        const Vec3 acceleration = sizes.inverse_mass_of(radius) * sum.force() + gravity;
-        p.acceleration[i].set(acceleration);
-        p.velocity[i].set(p.contact_velocity[i].xyz() - 0.5 * time_step * acceleration);
-        p.spin[i].set(p.contact_spin[i].xyz() - (0.5 * time_step * sizes.inverse_inertia_of(radius)) * sum.torque());
+        const Gathered got = gather<Sizes::equal, relative_rolling>(i, incidence, forces, rolling_torque);
+        const double radius = load(p.position, i).w;
+        const Vec3 acceleration = sizes.inverse_mass_of(radius) * got.sum.force() + gravity;
+        const Vec3 turning = sizes.inverse_inertia_of(radius) * got.sum.torque();
+        store(p.acceleration, i, row(acceleration));
+        store(p.velocity, i, row(load(p.contact_velocity, i).xyz() - 0.5 * time_step * acceleration));
+        store(p.spin, i, row(load(p.contact_spin, i).xyz() - 0.5 * time_step * turning));
     }
 
     /// Speed that the step would give [m/s].
     RECOAT_HD double next_speed(std::size_t i) const {
-        const ContactForce sum = gather<Sizes::equal, relative_rolling>(i, incidence, forces, rolling_torque);
-        const Vec3 acceleration = sizes.inverse_mass_of(p.position[i].w) * sum.force() + gravity;
-        return norm(p.velocity[i].xyz() + time_step * acceleration);
+        const Gathered got = gather<Sizes::equal, relative_rolling>(i, incidence, forces, rolling_torque);
+        const Vec3 acceleration = sizes.inverse_mass_of(load(p.position, i).w) * got.sum.force() + gravity;
+        return norm(load(p.velocity, i).xyz() + time_step * acceleration);
     }
 
 private:
-    RECOAT_HD void turn(std::size_t i, const ContactForce& sum, double radius) const {
+    /// Rolling resistance takes its torque times the mean of the spins before and after: energy is then booked exactly,
+    /// and nothing is when nothing turns.
+    RECOAT_HD void turn(std::size_t i, const Gathered& got, double radius) const {
         const double inertia = sizes.inertia_of(radius);
-        const Vec3 before = p.spin[i].xyz();
-        Vec3 spin = before + (time_step * sizes.inverse_inertia_of(radius)) * sum.torque();
-        if constexpr (!relative_rolling) {
-            const double free = squared_norm(spin);
-            const double load = (own_rolling_length * sizes.radius_of(radius) + own_rolling_constant) * sum.load();
+        const Vec3 before = load(p.spin, i).xyz();
+        Vec3 spin = before + (time_step * sizes.inverse_inertia_of(radius)) * got.torque();
+        if constexpr (relative_rolling) {
+            lost_rolling[i] -= 0.5 * time_step * dot(got.rolling, before + spin);
+        } else {
+            const Vec3 free = spin;
+            const double load = (own_rolling_length * sizes.radius_of(radius) + own_rolling_constant) * got.sum.load();
             spin = rolling.project(spin, load, inertia, time_step);
-            lost_rolling[i] += 0.5 * inertia * (free - squared_norm(spin));
+            lost_rolling[i] += 0.5 * inertia * dot(free - spin, before + spin);
         }
-        p.spin[i].set(spin);
-        p.contact_spin[i].set(spin + 0.5 * (spin - before));
+        store(p.spin, i, row(spin));
+        store(p.contact_spin, i, row(spin + 0.5 * (spin - before)));
     }
 };
 
@@ -117,24 +125,31 @@ struct ImpulsePass {
     double speed_limit_squared;
 
     RECOAT_HD double operator()(std::size_t i) const {
-        const Vec3 before = p.velocity[i].xyz();
-        const Vec3 after = next_velocity(i);
+        const Row position = load(p.position, i);
+        const Vec3 before = load(p.velocity, i).xyz();
+        const Vec3 after = pushed(i, before, position.w);
         const Vec3 mean = weight * before + (1 - weight) * after;
         const double square = squared_norm(after);
         if (!(square < speed_limit_squared)) return __builtin_huge_val();
-        p.velocity[i].set(after);
-        p.position[i].set(p.position[i].xyz() + time_step * mean);
-        p.contact_velocity[i].set(after + 0.5 * time_step * p.acceleration[i].xyz());
+        store(p.velocity, i, row(after));
+        store(p.position, i, row(position.xyz() + time_step * mean, position.w));
+        store(p.contact_velocity, i, row(after + 0.5 * time_step * load(p.acceleration, i).xyz()));
         return square > squared_norm(mean) ? square : squared_norm(mean);
     }
 
-    RECOAT_HD Vec3 next_velocity(std::size_t i) const {
+    /// Speed that the step would give [m/s].
+    RECOAT_HD double next_speed(std::size_t i) const {
+        return norm(pushed(i, load(p.velocity, i).xyz(), load(p.position, i).w));
+    }
+
+private:
+    RECOAT_HD Vec3 pushed(std::size_t i, Vec3 velocity, double radius) const {
         Vec3 sum{};
-        for (std::size_t e = incidence.begin[i]; e < incidence.begin[i + 1]; ++e) {
+        for (std::int32_t e = incidence.begin[i], end = incidence.begin[i + 1]; e < end; ++e) {
             const std::int32_t entry = incidence.entry[e];
-            sum += (entry & 1 ? -1.0 : 1.0) * impulse[entry >> 1].xyz();
+            sum += (entry & 1 ? -1.0 : 1.0) * load(impulse, entry >> 1).xyz();
         }
-        return p.velocity[i].xyz() + sizes.inverse_mass_of(p.position[i].w) * sum;
+        return velocity + sizes.inverse_mass_of(radius) * sum;
     }
 };
 

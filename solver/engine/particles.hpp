@@ -1,23 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
-#include "common/vec3.hpp"
+#include "solver/engine/row.hpp"
 
 namespace recoat {
-
-/// Four doubles that are loaded together.
-struct Row {
-    double x = 0, y = 0, z = 0, w = 0;
-
-    RECOAT_HD Vec3 xyz() const { return {x, y, z}; }
-    RECOAT_HD void set(Vec3 v) {
-        x = v.x;
-        y = v.y;
-        z = v.z;
-    }
-};
 
 /// Particle arrays without ownership; index = place in the engine's order.
 struct ParticleView {
@@ -29,15 +16,19 @@ struct ParticleView {
     Row* acceleration;      ///< by everything but attraction [m/s2]
 };
 
-/// Particle arrays; sorted in space by the pair lists, `id` tells who is who.
-struct Particles {
-    std::vector<Row> position, velocity, spin, contact_velocity, contact_spin, acceleration;
-    std::vector<std::int64_t> id;
+/// Particle arrays of a space; sorted in space by the pair lists, `id` tells who is who.
+template <class Space>
+struct ParticleArrays {
+    template <class T>
+    using Array = typename Space::template Array<T>;
+
+    Array<Row> position, velocity, spin, contact_velocity, contact_spin, acceleration;
+    Array<std::int64_t> id;
 
     [[nodiscard]] std::size_t size() const { return position.size(); }
 
     void resize(std::size_t n) {
-        for (auto* rows : all()) rows->resize(n);
+        each_row([&](Array<Row>& rows) { rows.resize(n); });
         id.resize(n);
     }
 
@@ -46,9 +37,23 @@ struct Particles {
                 contact_velocity.data(), contact_spin.data(), acceleration.data()};
     }
 
-    /// Every per-particle array of rows, named once.
-    std::vector<std::vector<Row>*> all() {
-        return {&position, &velocity, &spin, &contact_velocity, &contact_spin, &acceleration};
+    /// Calls f for every per-particle array of rows, named once.
+    template <class Function>
+    void each_row(const Function& f) {
+        for (Array<Row>* rows : {&position, &velocity, &spin, &contact_velocity, &contact_spin, &acceleration})
+            f(*rows);
+    }
+
+    /// Calls f(of this, of the other) for every array that a checkpoint holds.
+    template <class Other, class Function>
+    void each_saved(Other& other, const Function& f) {
+        f(position, other.position);
+        f(velocity, other.velocity);
+        f(spin, other.spin);
+        f(contact_velocity, other.contact_velocity);
+        f(contact_spin, other.contact_spin);
+        f(acceleration, other.acceleration);
+        f(id, other.id);
     }
 };
 

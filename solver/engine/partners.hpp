@@ -4,6 +4,7 @@
 
 #include "solver/engine/engine.hpp"
 #include "solver/engine/partner.hpp"
+#include "solver/engine/snapshot.hpp"
 
 namespace recoat {
 

@@ -7,47 +7,72 @@
 #include "solver/engine/moving_walls.hpp"
 #include "solver/engine/particles.hpp"
 #include "solver/engine/totals.hpp"
+#include "solver/execution/openmp.hpp"
 
 namespace recoat {
 
 /// Everything that changes while an engine runs. Saved whole, a restored engine continues to the bit: the order of the
 /// particles and the age of the pair lists are part of it, because sums run in their order.
-struct Snapshot {
+template <class Space>
+struct SnapshotOf {
+    template <class T>
+    using Array = typename Space::template Array<T>;
+
     std::int64_t step = 0;
     bool fresh = true;  ///< not yet started: no lists, velocities at the time of the positions
-    Particles particles;
+    ParticleArrays<Space> particles;
     MovingWalls walls;
-    Contacts contacts;
-    std::vector<Row> far_reference;    ///< positions when the far list was made
-    std::vector<double> lost_rolling;  ///< [N] energy taken by own-spin rolling resistance since the list was made [J]
+    ContactArrays<Space> contacts;
+    Array<Row> far_reference;    ///< positions when the far list was made
+    Array<double> lost_rolling;  ///< [N] energy taken by rolling resistance since the list was made [J]
     Totals totals;
     double margin = 0;           ///< the close list holds until particles have come closer by this [m]
     double travelled = 0;        ///< bound of any particle's or wall's way since then [m]
     double last_travel = 0;      ///< the same for the last step [m]
     double largest_overlap = 0;  ///< [m]
 
-    Snapshot() = default;
-    Snapshot(const ParticleTable& table, std::vector<Wall> walls);
-    explicit Snapshot(const EngineState& state);
-
-    [[nodiscard]] EngineState save() const;
+    /// Calls f(of this, of the other) for every array that a checkpoint holds.
+    template <class Other, class Function>
+    void each_saved(Other& other, const Function& f) {
+        particles.each_saved(other.particles, f);
+        contacts.each_saved(other.contacts, f);
+        f(far_reference, other.far_reference);
+        f(lost_rolling, other.lost_rolling);
+    }
 };
+
+/// A snapshot where the host can look at it.
+using Snapshot = SnapshotOf<OpenMP>;
+using Particles = ParticleArrays<OpenMP>;
+using Contacts = ContactArrays<OpenMP>;
+
+/// Copies all that a checkpoint holds; `copy(from, to)` copies one array between the spaces.
+template <class From, class To, class Copy>
+void copy_snapshot(SnapshotOf<From>& from, SnapshotOf<To>& to, const Copy& copy) {
+    from.each_saved(to, copy);
+    to.step = from.step;
+    to.fresh = from.fresh;
+    to.walls = from.walls;
+    to.contacts.pairs = from.contacts.pairs;
+    to.contacts.wall_begin = from.contacts.wall_begin;
+    to.totals = from.totals;
+    to.margin = from.margin;
+    to.travelled = from.travelled;
+    to.last_travel = from.last_travel;
+    to.largest_overlap = from.largest_overlap;
+}
+
+/// The state before the first step.
+Snapshot initial_snapshot(const ParticleTable& table, std::vector<Wall> walls);
+
+/// To and from named flat arrays; the latter throws InputError when one is missing.
+EngineState saved(const Snapshot& snapshot);
+Snapshot loaded(const EngineState& state);
 
 double smallest_radius(const Particles& particles);
 bool equal_radii(const Particles& particles);
-double largest_displacement(const std::vector<Row>& now, const std::vector<Row>& before);
-
-/// Brings y into [y_min, y_min + period).
-void fold(Particles& particles, double y_min, double period);
-double folded(double y, double y_min, double period);
-
-/// Reorders every array; `order`: new place -> old place.
-void permute(Particles& particles, const std::vector<std::int32_t>& order);
-std::vector<std::int32_t> inverse(const std::vector<std::int32_t>& order);
 
 /// Particles in order of identity, y folded.
 ParticleTable table_of(const Particles& particles, const EngineSetup& setup);
-/// Contacts with first < second, sorted.
-std::vector<ContactState> ordered(std::vector<ContactState> contacts);
 
 }  // namespace recoat

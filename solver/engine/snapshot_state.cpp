@@ -30,7 +30,6 @@ void describe(Archive& archive, Self& s) {
     archive.reals("contacts/lost_normal", s.contacts.lost_normal);
     archive.reals("contacts/lost_tangential", s.contacts.lost_tangential);
     archive.reals("contacts/wall_work", s.contacts.wall_work);
-    archive.rows("contacts/rolling", s.contacts.rolling);
     archive.real("totals/lost_normal", s.totals.lost_normal);
     archive.real("totals/lost_tangential", s.totals.lost_tangential);
     archive.real("totals/lost_rolling", s.totals.lost_rolling);
@@ -148,25 +147,28 @@ std::vector<Wall> load_walls(Reader& reader, const std::string& prefix) {
 
 }  // namespace
 
-EngineState Snapshot::save() const {
+EngineState saved(const Snapshot& snapshot) {
     Writer writer;
-    describe(writer, *this);
-    writer.state.integers["contacts/pairs"] = {static_cast<std::int64_t>(contacts.pairs)};
-    writer.state.integers["walls/since"] = walls.since();
-    save_walls(writer.state, "walls/now", walls.now());
-    save_walls(writer.state, "walls/anchor", walls.anchor());
+    describe(writer, snapshot);
+    writer.state.integers["contacts/pairs"] = {static_cast<std::int64_t>(snapshot.contacts.pairs)};
+    writer.state.integers["walls/since"] = snapshot.walls.since();
+    save_walls(writer.state, "walls/now", snapshot.walls.now());
+    save_walls(writer.state, "walls/anchor", snapshot.walls.anchor());
     return writer.state;
 }
 
-Snapshot::Snapshot(const EngineState& state) : fresh(false) {
+Snapshot loaded(const EngineState& state) {
+    Snapshot snapshot;
+    snapshot.fresh = false;
     Reader reader(state);
-    describe(reader, *this);
+    describe(reader, snapshot);
     std::int64_t pairs = 0;
     reader.integer("contacts/pairs", pairs);
-    contacts.pairs = static_cast<std::size_t>(pairs);
+    snapshot.contacts.pairs = static_cast<std::size_t>(pairs);
     std::vector<std::int64_t> since;
     reader.integers("walls/since", since);
-    walls = MovingWalls(load_walls(reader, "walls/now"), load_walls(reader, "walls/anchor"), since);
+    snapshot.walls = MovingWalls(load_walls(reader, "walls/now"), load_walls(reader, "walls/anchor"), since);
+    return snapshot;
 }
 
 }  // namespace recoat

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "solver/engine/contacts.hpp"
 
 namespace recoat {
@@ -10,16 +8,31 @@ namespace recoat {
 struct Totals {
     double lost_normal = 0, lost_tangential = 0, lost_rolling = 0, wall_work = 0, removed_with_walls = 0;
 
-    /// Adds what contacts and particles have counted, in their order.
-    void add(const Contacts& contacts, const std::vector<double>& rolling, bool relative_rolling) {
-        for (std::size_t k = 0; k < contacts.size(); ++k) {
-            lost_normal += contacts.lost_normal[k];
-            lost_tangential += contacts.lost_tangential[k];
-            wall_work += contacts.wall_work[k];
-            if (relative_rolling) lost_rolling += contacts.rolling[k].w;
-        }
-        for (const double lost : rolling) lost_rolling += lost;
+    /// Adds what contacts and particles (`rolling`, [N]) have counted.
+    template <class Space>
+    void add(Space& space, const ContactArrays<Space>& contacts,
+             const typename Space::template Array<double>& rolling) {
+        lost_normal += sum(space, contacts.lost_normal);
+        lost_tangential += sum(space, contacts.lost_tangential);
+        wall_work += sum(space, contacts.wall_work);
+        lost_rolling += sum(space, rolling);
+    }
+
+    template <class Space, class Array>
+    static double sum(Space& space, const Array& array) {
+        const double* value = array.data();
+        return space.sum(array.size(), [=] RECOAT_LAMBDA(std::size_t k) { return value[k]; });
     }
 };
+
+/// Sets what contacts and particles have counted to 0.
+template <class Space>
+void clear_counters(Space& space, ContactArrays<Space>& contacts, typename Space::template Array<double>& rolling) {
+    const std::size_t n = contacts.size();
+    const ContactView c = contacts.view();
+    space.for_each(n,
+                   [=] RECOAT_LAMBDA(std::size_t k) { c.lost_normal[k] = c.lost_tangential[k] = c.wall_work[k] = 0; });
+    space.fill(rolling, rolling.size(), 0.0);
+}
 
 }  // namespace recoat

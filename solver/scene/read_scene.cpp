@@ -98,7 +98,7 @@ EngineSetup engine_setup(const Scene& scene, int threads) {
     setup.y_period = scene.y_period;
     setup.domain_lower = scene.domain_lower;
     setup.domain_upper = scene.domain_upper;
-    setup.threads = threads;
+    setup.resources.threads = threads;
     return setup;
 }
 

@@ -12,7 +12,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 
-SOLVER = ["common", "solver/contact", "solver/engine", "solver/scene", "solver/output", "solver", "solver/cli", "solver/main"]
+SOLVER = ["common", "solver/execution", "solver/contact", "solver/engine", "solver/scene", "solver/output", "solver", "solver/cli", "solver/main"]
 ANALYZER = [
     "common",
     "analyzer/readers",
@@ -34,7 +34,7 @@ ALLOWED |= {layer: set(ANALYZER[:i]) for i, layer in enumerate(ANALYZER)}
 
 # Libraries that a device compiler would have to digest, or that have no place in a kernel.
 HEAVY = re.compile(r"<(Eigen|openvdb|CGAL|hdf5|H5|yaml-cpp|tbb|nlohmann|CLI)[/.\w]*")
-KERNELS = ("solver/contact", "solver/engine")
+KERNELS = ("solver/execution", "solver/contact", "solver/engine")
 LARGEST_FILE = 300
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*(?:"([^"]+)"|(<[^>]+>))', re.MULTILINE)
@@ -70,7 +70,7 @@ def name(file):
     return str(file.relative_to(ROOT))
 
 
-@pytest.mark.parametrize("file", sources("*.hpp", "*.cpp", "*.cu"), ids=name)
+@pytest.mark.parametrize("file", sources("*.hpp", "*.cuh", "*.cpp", "*.cu"), ids=name)
 def test_file_includes_only_what_lies_below(file):
     assert layer_of(file.relative_to(ROOT)) in ALLOWED, "a new folder needs its place in the layers"
     assert upward(file) == []
@@ -78,7 +78,7 @@ def test_file_includes_only_what_lies_below(file):
 
 @pytest.mark.parametrize("folder", KERNELS)
 def test_kernels_know_no_heavy_library(folder):
-    files = [f for f in sources("*.hpp", "*.cpp", "*.cu") if folder_of(f.relative_to(ROOT)) == folder]
+    files = [f for f in sources("*.hpp", "*.cuh", "*.cpp", "*.cu") if folder_of(f.relative_to(ROOT)) == folder]
     assert files
     # What the headers of common bring in counts as well.
     reached = {ROOT / n for f in files for n in includes(f) if (ROOT / n).is_file()} | set(files)
@@ -97,7 +97,7 @@ def code_files():
     listed = subprocess.run(
         ["git", "ls-files", "--cached", "--others", "--exclude-standard"], cwd=ROOT, capture_output=True, text=True, check=True
     ).stdout.split()
-    suffixes = (".hpp", ".cpp", ".cu", ".py", ".smk", ".sh")
+    suffixes = (".hpp", ".cuh", ".cpp", ".cu", ".py", ".smk", ".sh")
     return [f for f in listed if f.endswith(suffixes) and (ROOT / f).is_file()]
 
 

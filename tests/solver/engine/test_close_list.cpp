@@ -1,12 +1,12 @@
 #include <map>
-#include <random>
+#include <optional>
 #include <set>
 
 #include <gtest/gtest.h>
 
 #include "solver/engine/close_list.hpp"
-#include "solver/engine/partner.hpp"
 #include "solver/engine/snapshot.hpp"
+#include "solver/engine/spatial_sort.hpp"
 #include "tests/solver/engine/engine_scenes.hpp"
 
 namespace recoat {
@@ -18,36 +18,48 @@ using testing::infinite;
 using testing::plane;
 using testing::random_packing;
 
-constexpr double period = 8 * dp, skin = 0.3 * dp, range = 0.1 * dp;
+constexpr double period = 8 * dp, range = 0.1 * dp;
 
 struct Bed {
-    std::vector<Row> position;
+    Particles particles;
+    std::vector<Row>& position = particles.position;
+    double skin = 0.3 * dp;
     std::vector<Wall> walls = {plane("base", {}, {0, 0, 1}),
                                box("bar", {2 * dp, -infinite, 3 * dp}, {3 * dp, infinite, 4 * dp})};
-    FarList far;
     OpenMP space{2};
 
     explicit Bed(unsigned seed) {
         const ParticleTable table = random_packing(500, {10 * dp, period, 10 * dp}, 0.7, true, seed);
-        std::vector<Row> rows;
-        std::vector<std::int64_t> id;
-        for (std::size_t i = 0; i < table.size(); ++i) {
-            const Vec3 x = table.position[i];
-            rows.push_back({x.x, x.y, x.z, table.radius[i]});
-            id.push_back(static_cast<std::int64_t>(i));
-        }
-        for (const std::int32_t i : spatial_order(rows, id, skin, 0, period))
-            position.push_back(rows[static_cast<std::size_t>(i)]);
+        particles = initial_snapshot(table, {}).particles;
+        sort(skin);
+    }
+
+    /// Puts the particles into another order; returns where each was before.
+    std::vector<std::int32_t> sort(double other_skin) {
+        skin = other_skin;
+        SpatialSort<OpenMP> sort;
+        sort(space, particles, skin, 0, period);
+        return sort.order();
+    }
+
+    /// `old_place`: where each particle was in `old`; none: where it is now.
+    Contacts list(const std::optional<Contacts>& old = {}, double within = range,
+                  const std::vector<std::int32_t>& old_place = {}) {
+        FarList<OpenMP> far;
         far.build(space, position, skin, 0, period);
+        const auto anchors = MovingWalls(walls).anchors();
+        ContactHistory<OpenMP> history;
+        Contacts made = old.value_or(empty());
+        make_close_list(space,
+                        {position.data(), position.size(), anchors.data(), anchors.size(), 0, 1e-7, period, within,
+                         true, true, old_place.empty() ? nullptr : old_place.data()},
+                        far, history, made);
+        return made;
     }
 
-    Contacts list(const Contacts& old = empty(), double within = range) {
-        return make_close_list(space, {position, walls, far, period, within, true, true}, old);
-    }
-
-    static Contacts empty() {
+    [[nodiscard]] Contacts empty() const {
         Contacts none;
-        none.wall_begin.assign(3, 0);
+        none.offsets.assign(position.size() * (1 + walls.size()) + 1, 0);
         return none;
     }
 };
@@ -105,11 +117,12 @@ TEST(CloseList, IncidenceNamesEveryContactOfAParticleInOrder) {
     const Contacts made = bed.list();
     std::size_t entries = 0;
     for (std::size_t i = 0; i < bed.position.size(); ++i) {
-        for (std::size_t e = made.incidence_begin[i]; e < made.incidence_begin[i + 1]; ++e, ++entries) {
+        const auto first = static_cast<std::size_t>(made.incidence_begin[i]);
+        for (std::size_t e = first; e < static_cast<std::size_t>(made.incidence_begin[i + 1]); ++e, ++entries) {
             const std::int32_t entry = made.incidence[e];
             const auto k = static_cast<std::size_t>(entry / 2);
             ASSERT_EQ(entry % 2 ? made.second[k] : made.first[k], static_cast<std::int32_t>(i));
-            ASSERT_TRUE(e == made.incidence_begin[i] || made.incidence[e - 1] / 2 < entry / 2);
+            ASSERT_TRUE(e == first || made.incidence[e - 1] / 2 < entry / 2);
         }
     }
     EXPECT_EQ(entries, 2 * made.pairs + (made.size() - made.pairs));
@@ -147,17 +160,15 @@ TEST(CloseList, HandsHistoryOver) {
     }
 }
 
-// The displacement of a contact is that of its first relative to its second: whoever is first after renaming, the
+// The displacement of a contact is that of its first relative to its second: whoever is first in the new order, the
 // displacement of a given particle stays what it was.
-TEST(Renamed, HistoryKeepsItsMeaning) {
+TEST(CloseList, HistoryKeepsItsMeaningInAnotherOrder) {
     Bed bed(3);
     Contacts old = bed.list();
     mark(old);
-    std::vector<std::int32_t> new_place(bed.position.size());
-    for (std::size_t i = 0; i < new_place.size(); ++i) new_place[i] = static_cast<std::int32_t>(i);
-    std::shuffle(new_place.begin(), new_place.end(), std::mt19937_64(4));
-    const std::vector<std::int32_t> old_place = inverse(new_place);
-    const Contacts made = renamed(old, new_place);
+    const std::vector<std::int32_t> old_place = bed.sort(0.9 * dp);
+    const Contacts made = bed.list(old, range, old_place);
+    ASSERT_EQ(made.size(), old.size());
 
     const auto displacement = [](const Contacts& c, std::size_t k, std::int32_t of) {
         return c.first[k] == of ? c.slip(k) : -c.slip(k);
@@ -181,19 +192,30 @@ TEST(Renamed, HistoryKeepsItsMeaning) {
     EXPECT_LT(swapped_pairs, made.pairs);
 }
 
-TEST(Renamed, TwiceIsAsBefore) {
+TEST(CloseList, ThereAndBackIsAsBefore) {
     Bed bed(3);
+    const double skin = bed.skin;
     Contacts old = bed.list();
     mark(old);
-    std::vector<std::int32_t> new_place(bed.position.size());
-    for (std::size_t i = 0; i < new_place.size(); ++i) new_place[i] = static_cast<std::int32_t>(i);
-    std::shuffle(new_place.begin(), new_place.end(), std::mt19937_64(5));
-    const Contacts back = renamed(renamed(old, new_place), inverse(new_place));
-    EXPECT_EQ(back.first, old.first);
-    EXPECT_EQ(back.second, old.second);
-    EXPECT_EQ(back.slip_x, old.slip_x);
-    EXPECT_EQ(back.slip_z, old.slip_z);
-    EXPECT_EQ(back.attraction, old.attraction);
+    const std::vector<std::int32_t> there = bed.sort(0.9 * dp);
+    const Contacts other = bed.list(old, range, there);
+    const std::vector<std::int32_t> back = bed.sort(skin);
+    EXPECT_NE(back, there);
+    const Contacts again = bed.list(other, range, back);
+    EXPECT_EQ(again.first, old.first);
+    EXPECT_EQ(again.second, old.second);
+    EXPECT_EQ(again.slip_x, old.slip_x);
+    EXPECT_EQ(again.slip_z, old.slip_z);
+    EXPECT_EQ(again.attraction, old.attraction);
+}
+
+TEST(CloseList, OffsetsFollowFromTheContacts) {
+    Bed bed(1);
+    const Contacts made = bed.list();
+    Contacts restored = made;
+    restored.offsets.clear();
+    list_offsets(bed.space, restored, bed.position.size(), bed.walls.size());
+    EXPECT_EQ(restored.offsets, made.offsets);
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -6,6 +7,7 @@
 
 #include "solver/engine/far_list.hpp"
 #include "solver/engine/snapshot.hpp"
+#include "solver/engine/spatial_sort.hpp"
 
 namespace recoat {
 namespace {
@@ -35,23 +37,42 @@ PairSet all_pairs(const std::vector<Row>& rows, double skin, double period) {
     return found;
 }
 
+/// Particles at `rows`, named in this order, sorted as the engine does.
+Particles sorted_in_space(const std::vector<Row>& rows, const std::vector<std::int64_t>& id, double skin, double y_min,
+                          double period) {
+    Particles particles;
+    particles.resize(rows.size());
+    particles.position = rows;
+    particles.id = id;
+    for (std::size_t i = 0; i < rows.size(); ++i) particles.velocity[i] = row({rows[i].x, rows[i].z, 7});
+    OpenMP space(1);
+    SpatialSort<OpenMP> sort;
+    sort(space, particles, skin, y_min, period);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(particles.id[i], id[static_cast<std::size_t>(sort.order()[i])]);
+        EXPECT_EQ(particles.velocity[i].x, particles.position[i].x) << "rows must stay together";
+    }
+    return particles;
+}
+
+std::vector<std::int64_t> counted(std::size_t n) {
+    std::vector<std::int64_t> id(n);
+    std::iota(id.begin(), id.end(), 0);
+    return id;
+}
+
 /// Sorts as the engine does, builds, and compares.
-void expect_complete(std::vector<Row> rows, double skin, double y_min, double period) {
-    std::vector<std::int64_t> id(rows.size());
-    for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int64_t>(i);
-    const auto order = spatial_order(rows, id, skin, y_min, period);
-    std::vector<Row> sorted;
-    for (const std::int32_t i : order) sorted.push_back(rows[static_cast<std::size_t>(i)]);
+void expect_complete(const std::vector<Row>& rows, double skin, double y_min, double period) {
+    const std::vector<Row> sorted = sorted_in_space(rows, counted(rows.size()), skin, y_min, period).position;
     for (const int threads : {1, 3}) {
         OpenMP space(threads);
-        FarList list;
+        FarList<OpenMP> list;
         list.build(space, sorted, skin, y_min, period);
         PairSet found;
         for (std::size_t i = 0; i < sorted.size(); ++i) {
-            EXPECT_TRUE(std::is_sorted(list.second.begin() + static_cast<std::ptrdiff_t>(list.begin[i]),
-                                       list.second.begin() + static_cast<std::ptrdiff_t>(list.begin[i + 1])));
-            for (std::size_t e = list.begin[i]; e < list.begin[i + 1]; ++e)
-                found.insert({static_cast<std::int32_t>(i), list.second[e]});
+            EXPECT_TRUE(std::is_sorted(list.second.begin() + list.begin[i], list.second.begin() + list.begin[i + 1]));
+            for (std::int32_t e = list.begin[i]; e < list.begin[i + 1]; ++e)
+                found.insert({static_cast<std::int32_t>(i), list.second[static_cast<std::size_t>(e)]});
         }
         EXPECT_EQ(found.size(), list.second.size()) << "a pair is listed twice";
         EXPECT_EQ(found, all_pairs(sorted, skin, period));
@@ -98,17 +119,14 @@ TEST(SpatialOrder, IsAPermutationThatDoesNotDependOnTheOrderGiven) {
     for (std::size_t i = 0; i < shuffled.size(); ++i) shuffled[i] = i;
     std::shuffle(shuffled.begin(), shuffled.end(), std::mt19937_64(31));
     std::vector<Row> other;
-    std::vector<std::int64_t> id(rows.size()), other_id;
-    for (std::size_t i = 0; i < id.size(); ++i) id[i] = static_cast<std::int64_t>(i);
+    std::vector<std::int64_t> other_id;
     for (const std::size_t i : shuffled) {
         other.push_back(rows[i]);
-        other_id.push_back(id[i]);
+        other_id.push_back(static_cast<std::int64_t>(i));
     }
-    const auto order = spatial_order(rows, id, 0.2, 0, 5), other_order = spatial_order(other, other_id, 0.2, 0, 5);
-    std::set<std::int32_t> places(order.begin(), order.end());
-    EXPECT_EQ(places.size(), rows.size());
-    for (std::size_t k = 0; k < order.size(); ++k)
-        ASSERT_EQ(id[static_cast<std::size_t>(order[k])], other_id[static_cast<std::size_t>(other_order[k])]);
+    const Particles sorted = sorted_in_space(rows, counted(rows.size()), 0.2, 0, 5);
+    EXPECT_EQ(std::set<std::int64_t>(sorted.id.begin(), sorted.id.end()).size(), rows.size());
+    EXPECT_EQ(sorted.id, sorted_in_space(other, other_id, 0.2, 0, 5).id);
 }
 
 TEST(Fold, BringsEveryYIntoThePeriod) {

@@ -20,7 +20,7 @@ TEST_P(Restore, ContinuesToTheBit) {
     for (int portion = 0; portion < 5; ++portion) {
         whole->advance(static_cast<std::int64_t>(random() % 300));
         EngineSetup setup = scene.setup;
-        setup.threads = 1 + portion % 3;
+        setup.resources.threads = 1 + portion % 3;
         const auto restored = restore_engine(setup, whole->save());
         ASSERT_EQ(restored->step(), whole->step());
         ASSERT_EQ(bits_of(*restored), bits_of(*whole)) << "at once, at step " << whole->step();

@@ -8,7 +8,7 @@ namespace {
 using namespace testing;
 
 std::vector<std::uint64_t> bits_after(EngineScene scene, int threads, std::int64_t steps) {
-    scene.setup.threads = threads;
+    scene.setup.resources.threads = threads;
     const auto engine = scene.engine();
     engine->advance(steps);
     return bits_of(*engine);

@@ -91,7 +91,7 @@ TEST(ReadScene, EngineSetUpIsThatOfTheScene) {
     EXPECT_EQ(setup.time_step, 2e-8);
     EXPECT_EQ(setup.diameter, 50e-6);
     EXPECT_NEAR(setup.y_period, 6 * 50e-6, 1e-18);
-    EXPECT_EQ(setup.threads, 3);
+    EXPECT_EQ(setup.resources.threads, 3);
 }
 
 }  // namespace
