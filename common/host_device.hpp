@@ -5,9 +5,12 @@
 #ifdef __CUDACC__
 #define RECOAT_LAMBDA __host__ __device__
 #define RECOAT_HD __host__ __device__ __forceinline__
-#define RECOAT_UNROLL _Pragma("unroll")
 #else
 #define RECOAT_LAMBDA
 #define RECOAT_HD inline __attribute__((always_inline))
+#endif
+#ifdef __CUDA_ARCH__
+#define RECOAT_UNROLL _Pragma("unroll")
+#else
 #define RECOAT_UNROLL _Pragma("GCC unroll 8")
 #endif

@@ -19,7 +19,7 @@ struct CloseListInput {
     bool cohesive, relative_rolling;
     const std::int32_t* old_place;  ///< [N] place of each particle in the list before; null: the same
 
-    [[nodiscard]] std::size_t slots() const { return particles * (1 + walls); }
+    [[nodiscard]] RECOAT_HD std::size_t slots() const { return particles * (1 + walls); }
 
     RECOAT_HD bool near_wall(std::size_t w, std::size_t i) const {
         const WallAnchor& from = wall[w];
