@@ -1,11 +1,11 @@
 #include <cstdio>
-#include <thread>
 
 #include <CLI/CLI.hpp>
 
 #include "common/error.hpp"
 #include "common/version.hpp"
 #include "solver/cli/check.hpp"
+#include "solver/cli/choose_resources.hpp"
 #include "solver/cli/models.hpp"
 #include "solver/run.hpp"
 #include "solver/scene/read_scene.hpp"
@@ -18,22 +18,21 @@ using namespace recoat;
 struct Arguments {
     std::string scene, out, folder;
     std::vector<std::string> settings;
-    int threads = 0;
+    ResourceRequest resources;
     bool quiet = false, overwrite = false, print_config = false, json = false;
     std::optional<std::int64_t> until_step;
 };
 
 const EngineFactory real_engine{make_engine, restore_engine};
 
-int threads_of(const Arguments& arguments) {
-    if (arguments.threads > 0) return arguments.threads;
-    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+Resources resources_of(const Arguments& arguments) {
+    return choose_resources(arguments.resources, arguments.resources.backend == "cpu" ? Devices{} : cuda_devices());
 }
 
 RunOptions run_options(const Arguments& arguments, const std::string& folder) {
     RunOptions options;
     options.folder = folder;
-    options.threads = threads_of(arguments);
+    options.resources = resources_of(arguments);
     options.quiet = arguments.quiet;
     options.overwrite = arguments.overwrite;
     options.until_step = arguments.until_step;
@@ -59,7 +58,7 @@ int resume(const Arguments& arguments) {
 
 int check(const Arguments& arguments) {
     const Scene scene = load_scene(arguments.scene, arguments.settings);
-    std::fputs(check_report(scene, threads_of(arguments), arguments.json, real_engine).c_str(), stdout);
+    std::fputs(check_report(scene, resources_of(arguments), arguments.json, real_engine).c_str(), stdout);
     return 0;
 }
 
@@ -75,9 +74,17 @@ void add_progress(CLI::App& command, Arguments& arguments) {
         ->check(CLI::NonNegativeNumber);
 }
 
-void add_threads(CLI::App& command, Arguments& arguments) {
-    command.add_option("--threads", arguments.threads, "Threads (default: all cores); results do not depend on it")
+void add_resources(CLI::App& command, Arguments& arguments) {
+    command
+        .add_option("--threads", arguments.resources.threads,
+                    "Threads (default: all cores); results do not depend on it")
         ->check(CLI::PositiveNumber);
+    command
+        .add_option("--backend", arguments.resources.backend,
+                    "Where to compute: cpu, cuda, or auto for a CUDA device where there is one (default)")
+        ->check(CLI::IsMember({"auto", "cpu", "cuda"}));
+    command.add_option("--device", arguments.resources.device, "Number of the CUDA device (default: 0)")
+        ->check(CLI::NonNegativeNumber);
 }
 
 void add_commands(CLI::App& app, Arguments& arguments) {
@@ -88,18 +95,18 @@ void add_commands(CLI::App& app, Arguments& arguments) {
                          "Replace a run of another configuration, instead of refusing; a run of this one is continued");
     run_command.add_flag("--print-config", arguments.print_config, "Print the scene with all defaults and stop");
     add_progress(run_command, arguments);
-    add_threads(run_command, arguments);
+    add_resources(run_command, arguments);
 
     CLI::App& resume_command = *app.add_subcommand("resume", "Continue an interrupted run");
     resume_command.add_option("folder", arguments.folder, "Folder of the run")->required();
     add_progress(resume_command, arguments);
-    add_threads(resume_command, arguments);
+    add_resources(resume_command, arguments);
 
     CLI::App& check_command =
         *app.add_subcommand("check", "Print derived numbers, time-step limits, expected run time");
     add_scene(check_command, arguments);
     check_command.add_flag("--json", arguments.json, "As JSON, in SI units");
-    add_threads(check_command, arguments);
+    add_resources(check_command, arguments);
 
     app.add_subcommand("models", "List the options of the model, their meaning and defaults");
 }

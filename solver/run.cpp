@@ -97,7 +97,7 @@ void make_folder(const fs::path& folder) {
 int start(const Scene& scene, const RunOptions& options, const EngineFactory& factory) {
     clear(scene, options.folder);
     const ParticleTable particles = initial_particles(scene);
-    const auto engine = factory.make(engine_setup(scene, options.threads), particles, scene.walls);
+    const auto engine = factory.make(engine_setup(scene, options.resources), particles, scene.walls);
     RunProgress progress;
     progress.start = engine->ledger();
     return StageRunner(scene, options, *engine, progress).run();
@@ -106,7 +106,7 @@ int start(const Scene& scene, const RunOptions& options, const EngineFactory& fa
 int continue_from(const Scene& scene, const LatestCheckpoint& latest, const RunOptions& options,
                   const EngineFactory& factory) {
     const Checkpoint& checkpoint = latest.checkpoint;
-    const auto engine = factory.restore(engine_setup(scene, options.threads), checkpoint.engine);
+    const auto engine = factory.restore(engine_setup(scene, options.resources), checkpoint.engine);
     ProgressLine line(options.quiet, 0);
     if (!latest.note.empty()) line.say("Note: " + latest.note);
     if (checkpoint.version != program_version()) {

@@ -11,7 +11,7 @@ namespace recoat {
 
 struct RunOptions {
     std::filesystem::path folder;  ///< where everything is written
-    int threads = 1;
+    Resources resources;
     bool quiet = false;
     bool overwrite = false;                  ///< replace a run of another configuration
     std::optional<std::int64_t> until_step;  ///< stop there with a checkpoint

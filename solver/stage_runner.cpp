@@ -122,7 +122,8 @@ void StageRunner::fault(const SimulationFault& error) {
     const std::size_t stage = std::min(progress_.stage, scene_.stages.size() - 1);
     line_.say(scene_.stages[stage].name + ": fault at step " + std::to_string(engine_.step()) + ".");
     try {
-        write_state(file, state_info(scene_, scene_.stages[stage].name), state_of_engine(engine_, scene_.y_period));
+        write_state(file, state_info(scene_, scene_.stages[stage].name, options_.resources.backend),
+                    state_of_engine(engine_, scene_.y_period));
     } catch (const InputError& problem) {
         throw SimulationFault(std::string(error.what()) + " The state of the moment before is lost: " + problem.what());
     }
@@ -135,7 +136,8 @@ void StageRunner::sample() {
     if (plan.energy_interval > 0 && step % plan.energy_interval == 0) progress_.energy.add(engine_);
     if (plan.trajectory_interval > 0 && step % plan.trajectory_interval == 0) {
         const std::string& stage = scene_.stages[progress_.stage].name;
-        progress_.frames.push_back(trajectory_.add(progress_.frames.size(), state_info(scene_, stage),
+        progress_.frames.push_back(trajectory_.add(progress_.frames.size(),
+                                                   state_info(scene_, stage, options_.resources.backend),
                                                    state_of_engine(engine_, scene_.y_period)));
     }
 }
@@ -186,7 +188,7 @@ void StageRunner::finish_stage(const Stage& stage) {
         const double area = scene_.spread->fill_length * scene_.y_period;
         record.packing_density = bed_packing_density(engine_.particles(), area);
     }
-    write_state(options_.folder / (stage.name + ".vtkhdf"), state_info(scene_, stage.name),
+    write_state(options_.folder / (stage.name + ".vtkhdf"), state_info(scene_, stage.name, options_.resources.backend),
                 state_of_engine(engine_, scene_.y_period));
     line_.say(stage.name + ": " + std::to_string(record.steps) + " steps" + (record.settled ? ", settled." : "."));
     progress_.finished.push_back(record);
@@ -200,7 +202,8 @@ void StageRunner::finish_stage(const Stage& stage) {
 
 void StageRunner::finish_run() {
     const std::string& last = scene_.stages.back().name;
-    if (!progress_.frames.empty()) trajectory_.assemble(progress_.frames, state_info(scene_, last));
+    if (!progress_.frames.empty())
+        trajectory_.assemble(progress_.frames, state_info(scene_, last, options_.resources.backend));
     summarise(RunStatus::finished);
 }
 
@@ -223,7 +226,7 @@ void StageRunner::save_if_due() {
 
 void StageRunner::summarise(RunStatus status) {
     if (!progress_.energy.empty()) progress_.energy.write_csv(options_.folder / "energy.csv");
-    write_summary(options_.folder / "summary.json", scene_, progress_, engine_, status, options_.threads);
+    write_summary(options_.folder / "summary.json", scene_, progress_, engine_, status, options_.resources);
 }
 
 }  // namespace recoat

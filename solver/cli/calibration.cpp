@@ -37,9 +37,9 @@ ParticleTable cubic_block(double diameter, int edge) {
     return table;
 }
 
-EngineSetup open_setup(const Scene& scene, int threads) {
+EngineSetup open_setup(const Scene& scene, const Resources& resources) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    EngineSetup setup = engine_setup(scene, threads);
+    EngineSetup setup = engine_setup(scene, resources);
     setup.gravity = {};
     setup.y_period = 0;
     setup.domain_lower = {-infinity, -infinity, -infinity};
@@ -49,11 +49,12 @@ EngineSetup open_setup(const Scene& scene, int threads) {
 
 }  // namespace
 
-Calibration calibrate(const Scene& scene, std::int64_t particles, int threads, const EngineFactory& factory) {
+Calibration calibrate(const Scene& scene, std::int64_t particles, const Resources& resources,
+                      const EngineFactory& factory) {
     const int edge = std::clamp(static_cast<int>(std::cbrt(static_cast<double>(particles))), 2, 32);
     const double before = resident_bytes();
     const ParticleTable block = cubic_block(scene.diameter, edge);
-    const auto engine = factory.make(open_setup(scene, threads), block, {});
+    const auto engine = factory.make(open_setup(scene, resources), block, {});
     engine->advance(2);
     Calibration result;
     result.particles = block.size();

@@ -13,7 +13,8 @@ struct Calibration {
 };
 
 /// Runs the engine for about half a second on a block of touching spheres of the scene's material and size (simple
-/// cubic, three contacts per particle as in a settled bed), with `threads` threads.
-Calibration calibrate(const Scene& scene, std::int64_t particles, int threads, const EngineFactory& factory);
+/// cubic, three contacts per particle as in a settled bed), on `resources`.
+Calibration calibrate(const Scene& scene, std::int64_t particles, const Resources& resources,
+                      const EngineFactory& factory);
 
 }  // namespace recoat

@@ -81,18 +81,19 @@ Json stages_json(const Scene& scene) {
     return stages;
 }
 
-Json expectation_json(const Scene& scene, std::int64_t particles, std::int64_t steps, int threads,
+Json expectation_json(const Scene& scene, std::int64_t particles, std::int64_t steps, const Resources& resources,
                       const EngineFactory& factory) {
-    const Calibration measured = calibrate(scene, particles, threads, factory);
+    const Calibration measured = calibrate(scene, particles, resources, factory);
     const double work = static_cast<double>(particles) * static_cast<double>(steps);
-    return {{"threads", threads},
+    return {{"backend", name_of(resources.backend)},
+            {"threads", resources.threads},
             {"measured_particles", measured.particles},
             {"particle_steps_per_second", measured.particle_steps_per_second},
             {"seconds", work / measured.particle_steps_per_second},
             {"bytes", measured.bytes_per_particle * static_cast<double>(particles)}};
 }
 
-Json report_json(const Scene& scene, int threads, const EngineFactory& factory) {
+Json report_json(const Scene& scene, const Resources& resources, const EngineFactory& factory) {
     const std::int64_t particles = count_particles(scene);
     std::int64_t steps = 0;
     for (const Stage& stage : scene.stages) steps += stage.steps();
@@ -108,7 +109,7 @@ Json report_json(const Scene& scene, int threads, const EngineFactory& factory) 
     report["time_step_limits"] = limits_json(scene);
     report["stages"] = stages_json(scene);
     report["steps"] = steps;
-    report["expected"] = expectation_json(scene, particles, steps, threads, factory);
+    report["expected"] = expectation_json(scene, particles, steps, resources, factory);
     return report;
 }
 
@@ -188,8 +189,8 @@ std::string expectation_text(const Json& r) {
 
 }  // namespace
 
-std::string check_report(const Scene& scene, int threads, bool json, const EngineFactory& factory) {
-    const Json report = report_json(scene, threads, factory);
+std::string check_report(const Scene& scene, const Resources& resources, bool json, const EngineFactory& factory) {
+    const Json report = report_json(scene, resources, factory);
     if (json) return report.dump(2) + "\n";
     return sizes_text(report) + material_text(report) + cohesion_text(report) + time_text(report) +
            expectation_text(report);

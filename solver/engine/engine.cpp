@@ -58,8 +58,8 @@ void require_countable(std::size_t particles, std::size_t walls) {
 }
 
 std::unique_ptr<Engine> build(const EngineSetup& setup, Snapshot snapshot) {
-    return setup.backend == Backend::cuda ? build_cuda_engine(setup, std::move(snapshot))
-                                          : build_openmp_engine(setup, std::move(snapshot));
+    return setup.resources.backend == Backend::cuda ? build_cuda_engine(setup, std::move(snapshot))
+                                                    : build_openmp_engine(setup, std::move(snapshot));
 }
 
 }  // namespace

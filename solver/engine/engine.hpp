@@ -23,8 +23,6 @@ struct ParticleTable {
     [[nodiscard]] std::size_t size() const { return position.size(); }
 };
 
-enum class Backend { cpu, cuda };
-
 /// What an engine is built from.
 struct EngineSetup {
     ContactModel model;
@@ -35,7 +33,6 @@ struct EngineSetup {
     double y_period = 0;   ///< [m]; 0: not periodic
     Vec3 domain_lower;     ///< a centre outside the domain is a fault; entries may be infinite [m]
     Vec3 domain_upper;
-    Backend backend = Backend::cpu;
     Resources resources;
 };
 

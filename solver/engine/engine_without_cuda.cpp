@@ -1,10 +1,13 @@
-#include "common/error.hpp"
+#include <stdexcept>
+
 #include "solver/engine/build_engine.hpp"
+#include "solver/execution/devices.hpp"
 
 namespace recoat {
 
-std::unique_ptr<Engine> build_cuda_engine(const EngineSetup&, Snapshot) {
-    throw InputError("this program was built without CUDA; build it with -DRECOAT_CUDA=ON, or use --backend cpu");
+std::unique_ptr<Engine> build_cuda_engine(const EngineSetup& setup, Snapshot) {
+    require_device(cuda_devices(), setup.resources.device);
+    throw std::logic_error("a program without CUDA found a device");
 }
 
 }  // namespace recoat

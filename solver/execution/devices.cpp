@@ -15,9 +15,10 @@ void require_device(const Devices& devices, int number) {
                                      count == 1 ? "number 0" : fmt::format("numbers 0 to {}", count - 1)));
     const Device& device = devices.found[static_cast<std::size_t>(number)];
     if (device.major < 8)
-        throw InputError(fmt::format("CUDA device {} ({}) has compute capability {}.{}, but 8.0 is needed; use another "
-                                     "device, or --backend cpu",
-                                     number, device.name, device.major, device.minor));
+        throw InputError(
+            fmt::format("CUDA device {} ({}) has compute capability {}.{}, but 8.0 is needed; use another "
+                        "device, or --backend cpu",
+                        number, device.name, device.major, device.minor));
 }
 
 }  // namespace recoat

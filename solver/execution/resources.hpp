@@ -1,11 +1,20 @@
 #pragma once
 
+#include <string>
+
 namespace recoat {
+
+/// Where loops run.
+enum class Backend { cpu, cuda };
 
 /// What an engine may use of the machine.
 struct Resources {
+    Backend backend = Backend::cpu;
     int threads = 1;  ///< of the host
     int device = 0;   ///< number of the CUDA device
 };
+
+/// As it stands in results.
+inline std::string name_of(Backend backend) { return backend == Backend::cuda ? "cuda" : "openmp"; }
 
 }  // namespace recoat

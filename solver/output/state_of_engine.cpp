@@ -22,11 +22,11 @@ State state_of_engine(const Engine& engine, double y_period) {
     return state;
 }
 
-StateInfo state_info(const Scene& scene, const std::string& stage) {
+StateInfo state_info(const Scene& scene, const std::string& stage, Backend backend) {
     StateInfo info;
     info.program_version = program_version();
     info.config = scene.resolved;
-    info.backend = "openmp";
+    info.backend = name_of(backend);
     info.stage = stage;
     info.seed = scene.seed;
     info.diameter = scene.diameter;

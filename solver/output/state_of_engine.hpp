@@ -12,6 +12,6 @@ namespace recoat {
 State state_of_engine(const Engine& engine, double y_period);
 
 /// What state files of a run say about it.
-StateInfo state_info(const Scene& scene, const std::string& stage);
+StateInfo state_info(const Scene& scene, const std::string& stage, Backend backend);
 
 }  // namespace recoat

@@ -68,7 +68,7 @@ std::int64_t count_lost(const Scene& scene, const ParticleTable& particles) {
 }  // namespace
 
 void write_summary(const std::filesystem::path& file, const Scene& scene, const RunProgress& progress,
-                   const Engine& engine, RunStatus status, int threads) {
+                   const Engine& engine, RunStatus status, const Resources& resources) {
     const ParticleTable particles = engine.particles();
     Json json = {{"version", program_version()},
                  {"config", scene.resolved},
@@ -84,7 +84,8 @@ void write_summary(const std::filesystem::path& file, const Scene& scene, const 
                  {"energy", energy_json(progress.start, engine.ledger())},
                  {"particles_lost", count_lost(scene, particles)},
                  {"wall_seconds", progress.wall_seconds},
-                 {"threads", threads}};
+                 {"backend", name_of(resources.backend)},
+                 {"threads", resources.threads}};
     for (const StageRecord& record : progress.finished) json["stages"].push_back(stage_json(record, particles.size()));
     write_text_file(file, json.dump(2) + "\n");
 }

@@ -13,9 +13,9 @@ namespace recoat {
 enum class RunStatus { finished, stopped };
 
 /// Writes DIR/summary.json: what was run, every finished stage, the energy ledger and its balance. SI units; overlaps
-/// in d_p. Apart from wall-clock times, rates and threads it depends on the scene only.
+/// in d_p. Apart from wall-clock times, rates and resources it depends on the scene only.
 void write_summary(const std::filesystem::path& file, const Scene& scene, const RunProgress& progress,
-                   const Engine& engine, RunStatus status, int threads);
+                   const Engine& engine, RunStatus status, const Resources& resources);
 
 /// What an earlier run left in a folder.
 struct EarlierSummary {

@@ -88,7 +88,7 @@ Scene load_scene(const std::filesystem::path& file, std::span<const std::string>
     return scene;
 }
 
-EngineSetup engine_setup(const Scene& scene, int threads) {
+EngineSetup engine_setup(const Scene& scene, const Resources& resources) {
     EngineSetup setup;
     setup.model = scene.model;
     setup.gravity = {0, 0, -scene.gravity};
@@ -98,7 +98,7 @@ EngineSetup engine_setup(const Scene& scene, int threads) {
     setup.y_period = scene.y_period;
     setup.domain_lower = scene.domain_lower;
     setup.domain_upper = scene.domain_upper;
-    setup.resources.threads = threads;
+    setup.resources = resources;
     return setup;
 }
 

@@ -77,6 +77,6 @@ struct Scene {
 };
 
 /// The engine's set-up for `scene`.
-EngineSetup engine_setup(const Scene& scene, int threads);
+EngineSetup engine_setup(const Scene& scene, const Resources& resources);
 
 }  // namespace recoat

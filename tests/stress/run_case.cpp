@@ -34,7 +34,7 @@ int run_inside(const fs::path& folder, int threads) {
         const Scene scene = load_scene(folder / "scene.yaml");
         RunOptions options;
         options.folder = folder / "out";
-        options.threads = threads;
+        options.resources.threads = threads;
         options.quiet = true;
         return run_scene(scene, options, EngineFactory{make_engine, restore_engine});
     });

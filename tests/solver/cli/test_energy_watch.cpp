@@ -41,7 +41,7 @@ protected:
                                         return std::make_unique<Leaky>(script_, particles, std::move(walls), gain);
                                     },
                                     {}};
-        return run_scene(scene, {folder_ / "out", 1, true, false, {}}, factory);
+        return run_scene(scene, {folder_ / "out", {Backend::cpu, 1, 0}, true, false, {}}, factory);
     }
 
     testing::FakeScript script_;

@@ -31,7 +31,7 @@ TEST(StateOfEngine, HasTheParticlesAndTheirCoordination) {
 
 TEST(StateInfoOfScene, SaysWhereTheLayerIs) {
     const Scene scene = testing::scene_of(testing::spread_text, {"cohesion.bond_number=5", "seed=4"});
-    const StateInfo info = state_info(scene, "heap");
+    const StateInfo info = state_info(scene, "heap", Backend::cpu);
     EXPECT_EQ(info.stage, "heap");
     EXPECT_EQ(info.seed, 4);
     EXPECT_EQ(info.config, scene.resolved);
@@ -49,7 +49,7 @@ TEST(StateInfoOfScene, SaysWhereTheLayerIs) {
 TEST(StateInfoOfScene, LeavesOutWhatDoesNotApply) {
     const Scene scene = testing::scene_of(
         "scene: particles\nparticles: a.csv\nduration: 1 ms\nstiffness_ratio: 0.001\n" + testing::model_text);
-    const StateInfo info = state_info(scene, "run");
+    const StateInfo info = state_info(scene, "run", Backend::cuda);
     EXPECT_TRUE(std::isnan(info.y_period) && std::isnan(info.clearance) && std::isnan(info.blade_start));
 }
 

@@ -34,7 +34,8 @@ protected:
         fill.end.dissipated_normal = 3;
         progress.finished = {fill};
         progress.wall_seconds = 3;
-        write_summary(folder_ / "summary.json", scene_, progress, engine, RunStatus::finished, 2);
+        write_summary(folder_ / "summary.json", scene_, progress, engine, RunStatus::finished,
+                      {Backend::cpu, 2, 0});
         std::ifstream file(folder_ / "summary.json");
         return nlohmann::json::parse(file);
     }
@@ -60,6 +61,7 @@ TEST_F(SummaryFile, SaysWhatWasRun) {
     EXPECT_EQ(json["particles_lost"], 0);
     EXPECT_EQ(json["bond_number"], 50.0);
     EXPECT_EQ(json["config"], scene_.resolved);
+    EXPECT_EQ(json["backend"], "openmp");
     EXPECT_EQ(json["threads"], 2);
     const nlohmann::json stage = json["stages"].at(0);
     EXPECT_EQ(stage["name"], "fill");

@@ -85,7 +85,7 @@ TEST(ReadScene, ResolvedConfigurationReadsBackAsItself) {
 
 TEST(ReadScene, EngineSetUpIsThatOfTheScene) {
     const Scene scene = scene_of(spread_text);
-    const EngineSetup setup = engine_setup(scene, 3);
+    const EngineSetup setup = engine_setup(scene, {Backend::cpu, 3, 0});
     EXPECT_EQ(setup.model, scene.model);
     EXPECT_EQ(setup.gravity, (Vec3{0, 0, -9.81}));
     EXPECT_EQ(setup.time_step, 2e-8);
