@@ -9,8 +9,10 @@
 #define RECOAT_LAMBDA
 #define RECOAT_HD inline __attribute__((always_inline))
 #endif
-#ifdef __CUDA_ARCH__
+#if defined(__CUDA_ARCH__)
 #define RECOAT_UNROLL _Pragma("unroll")
+#elif defined(__CUDACC__)
+#define RECOAT_UNROLL
 #else
 #define RECOAT_UNROLL _Pragma("GCC unroll 8")
 #endif
