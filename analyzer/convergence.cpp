@@ -70,9 +70,9 @@ void add_pores(Study& study, const Analysis& analysis) {
     if (!analysis.chamber_pores.persistent) return;
     const std::vector<double> exact = chambers_of(analysis.chamber_pores.persistent->sizes.sorted);
     study.add("chamber pores (P, >= 0.5 d_p)", "", static_cast<double>(exact.size()),
-              [](const VoxelMetrics& v) { return static_cast<double>(chambers_of(v.chambers.sorted).size()); });
+              [](const VoxelMetrics& v) { return static_cast<double>(chambers_of(v.chambers.sizes.sorted).size()); });
     study.add("chamber pores, median diameter", "d_p", median_of(exact),
-              [](const VoxelMetrics& v) { return median_of(chambers_of(v.chambers.sorted)); });
+              [](const VoxelMetrics& v) { return median_of(chambers_of(v.chambers.sizes.sorted)); });
 }
 
 /// Slope of log |error| against -log n.

@@ -23,12 +23,11 @@ ColumnSample sample_of(const Map& map, int columns, double above) {
 
 constexpr double all_values = -std::numeric_limits<double>::infinity();
 
-Estimator packing_estimator(const Analysis& analysis) {
-    const auto sample =
-        std::make_shared<ColumnSample>(sample_of(analysis.packing.exact, analysis.layer.grid.nx, all_values));
+Estimator packing_estimator(const std::string& group, const Map& phi, int columns) {
+    const auto sample = std::make_shared<ColumnSample>(sample_of(phi, columns, all_values));
     Estimator result;
     for (const char* name : {"mean", "median", "q1", "q3", "iqr", "iqr_over_median"})
-        result.quantities.push_back({"phi_exact", name, "1"});
+        result.quantities.push_back({group, name, "1"});
     result.evaluate = [sample](const ColumnWeights& weights, std::vector<double>& numbers) {
         constexpr std::array shares = {0.25, 0.5, 0.75};
         const std::vector<double> quartiles = sample->quantiles(weights, shares);
@@ -118,8 +117,10 @@ std::size_t column_of(double x, const Grid& grid, double tolerance) {
 }
 
 std::vector<Estimator> surface_estimators(const Analysis& analysis, const AnalysisConfig& config) {
-    return {packing_estimator(analysis), height_estimator(analysis), height_fraction_estimator(analysis, config),
-            totals_estimator(analysis, config)};
+    const int columns = analysis.layer.grid.nx;
+    return {packing_estimator("phi_exact", analysis.packing.exact, columns),
+            packing_estimator("phi_centre", analysis.packing.centre, columns), height_estimator(analysis),
+            height_fraction_estimator(analysis, config), totals_estimator(analysis, config)};
 }
 
 }  // namespace recoat
