@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench stress fuzz clean faults
+.PHONY: setup programs build reproduce test lint bench bench-analyzer stress fuzz clean faults
 
 setup:
 	@./setup.sh
@@ -50,3 +50,7 @@ fuzz:
 ROUNDS ?= 300
 faults: build
 	@python tests/faults/campaign.py $(RECOAT_BUILD)/solver/recoat-solve --rounds $(ROUNDS) --out results/faults
+
+bench-analyzer: build
+	@.venv/bin/python -m venv build/peers && build/peers/bin/pip install --quiet -r bench/requirements.txt
+	@PEER_PYTHON=build/peers/bin/python .venv/bin/python bench/analyzer.py bench/results/analyzer.json
