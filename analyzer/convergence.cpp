@@ -71,6 +71,13 @@ void add_pores(Study& study, const Analysis& analysis) {
     const std::vector<double> exact = chambers_of(analysis.chamber_pores.persistent->sizes.sorted);
     study.add("chamber pores (P, >= 0.5 d_p)", "", static_cast<double>(exact.size()),
               [](const VoxelMetrics& v) { return static_cast<double>(chambers_of(v.chambers.sizes.sorted).size()); });
+    // The number alone may be right by as many misses as false ones.
+    const auto count = static_cast<double>(exact.size());
+    const auto errors_of = [](const VoxelMetrics& v) { return v.chamber_errors.value_or(PoreErrors{}); };
+    study.add(
+        "  missed", "", 0, [=](const VoxelMetrics& v) { return static_cast<double>(errors_of(v).missed); }, count);
+    study.add(
+        "  spurious", "", 0, [=](const VoxelMetrics& v) { return static_cast<double>(errors_of(v).spurious); }, count);
     study.add("chamber pores, median diameter", "d_p", median_of(exact),
               [](const VoxelMetrics& v) { return median_of(chambers_of(v.chambers.sizes.sorted)); });
 }

@@ -71,7 +71,10 @@ TEST(Convergence, OfARandomLayer) {
     const auto& sizes = analysis.chamber_pores.persistent->sizes.sorted;
     EXPECT_EQ(chambers.exact, static_cast<double>(std::ranges::count_if(sizes, [](double d) { return d >= 0.5; })));
     const auto json = convergence_json(result);
-    EXPECT_EQ(json["quantities"].size(), 10U);
+    EXPECT_EQ(json["quantities"].size(), 12U);
+    const PoreErrors& errors = *analysis.voxel[0].chamber_errors;
+    EXPECT_EQ(chambers.voxel[0] - chambers.exact, result.quantities[10].voxel[0] - result.quantities[9].voxel[0]);
+    EXPECT_EQ(result.quantities[9].voxel[0], static_cast<double>(errors.missed));
     EXPECT_EQ(json["quantities"][0]["error"][0].get<double>(),
               analysis.voxel[0].phi.median - analysis.phi_exact.median);
     EXPECT_NE(convergence_text(result).find("roughness Ra [d_p]"), std::string::npos);
