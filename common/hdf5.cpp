@@ -8,6 +8,7 @@
 #include <hdf5.h>
 
 #include "common/error.hpp"
+#include "common/hdf5_lock.hpp"
 
 namespace recoat::hdf5 {
 namespace {
@@ -102,29 +103,16 @@ std::size_t believable_size(hid_t dataset, const Shape& shape, const std::string
 
 }  // namespace
 
-Handle::Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
-
-Handle& Handle::operator=(Handle&& other) noexcept {
-    std::swap(id_, other.id_);
-    std::swap(close_, other.close_);
-    return *this;
+Shape Dataset::shape() const {
+    const LibraryLock lock;
+    return shape_of(handle_.id());
 }
-
-Handle::~Handle() {
-    if (id_ >= 0) close_(id_);
-}
-
-int Handle::close() {
-    const std::int64_t id = std::exchange(id_, -1);
-    return id >= 0 ? close_(id) : 0;
-}
-
-Shape Dataset::shape() const { return shape_of(handle_.id()); }
 
 std::size_t Dataset::size() const { return product(shape()); }
 
 template <class Number>
 void Dataset::append(const std::vector<Number>& values) const {
+    const LibraryLock lock;
     Shape shape = this->shape();
     const std::size_t first = shape.at(0);
     const std::size_t per_row = product({shape.begin() + 1, shape.end()});
@@ -141,6 +129,7 @@ void Dataset::append(const std::vector<Number>& values) const {
 
 template <class Number>
 std::vector<Number> Dataset::read() const {
+    const LibraryLock lock;
     std::vector<Number> values(believable_size(handle_.id(), shape(), place_));
     const Handle type(H5Dget_type(handle_.id()), H5Tclose);
     const auto wanted = std::is_same_v<Number, double> ? H5T_FLOAT : H5T_INTEGER;
@@ -154,6 +143,7 @@ std::vector<Number> Dataset::read() const {
 
 template <class Number>
 std::vector<Number> Dataset::read_rows(std::size_t first, std::size_t count) const {
+    const LibraryLock lock;
     Shape shape = this->shape();
     const auto [in_file, in_memory] = select_rows(handle_.id(), first, count, place_);
     shape.at(0) = count;
@@ -164,6 +154,7 @@ std::vector<Number> Dataset::read_rows(std::size_t first, std::size_t count) con
 }
 
 Group Group::create_group(const std::string& name) const {
+    const LibraryLock lock;
     const std::string place = place_ + ": /" + name;
     return {open(H5Gcreate2(handle_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, place,
                  cannot_write),
@@ -171,14 +162,19 @@ Group Group::create_group(const std::string& name) const {
 }
 
 Group Group::group(const std::string& name) const {
+    const LibraryLock lock;
     const std::string place = place_ + ": /" + name;
     if (!has(name)) fail(place, "the group is missing; the file was not written by this program or is damaged");
     return {open(H5Gopen2(handle_.id(), name.c_str(), H5P_DEFAULT), H5Gclose, place, cannot_read), place};
 }
 
-bool Group::has(const std::string& name) const { return H5Lexists(handle_.id(), name.c_str(), H5P_DEFAULT) > 0; }
+bool Group::has(const std::string& name) const {
+    const LibraryLock lock;
+    return H5Lexists(handle_.id(), name.c_str(), H5P_DEFAULT) > 0;
+}
 
 std::vector<std::string> Group::names() const {
+    const LibraryLock lock;
     std::vector<std::string> names;
     const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* list) -> herr_t {
         static_cast<std::vector<std::string>*>(list)->emplace_back(name);
@@ -191,6 +187,7 @@ std::vector<std::string> Group::names() const {
 template <class Number>
 void Group::write(const std::string& name, const std::vector<Number>& values, const Shape& shape,
                   bool compressed) const {
+    const LibraryLock lock;
     const std::string place = place_ + ": /" + name;
     const Shape sizes = shape.empty() ? Shape{values.size()} : shape;
     if (product(sizes) != values.size()) throw std::invalid_argument(place + ": the shape does not fit the values");
@@ -212,6 +209,7 @@ void Group::write(const std::string& name, const std::vector<Number>& values, co
 
 template <class Number>
 Dataset Group::create_extendible(const std::string& name, const Shape& row, std::size_t rows_per_chunk) const {
+    const LibraryLock lock;
     const std::string place = place_ + ": /" + name;
     std::vector<hsize_t> start{0}, limit{H5S_UNLIMITED};
     start.insert(start.end(), row.begin(), row.end());
@@ -232,12 +230,14 @@ Dataset Group::create_extendible(const std::string& name, const Shape& row, std:
 }
 
 Dataset Group::dataset(const std::string& name) const {
+    const LibraryLock lock;
     const std::string place = place_ + ": /" + name;
     if (!has(name)) fail(place, "the array is missing; the file was not written by this program or is damaged");
     return {open(H5Dopen2(handle_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, place, cannot_read), place};
 }
 
 File File::create(const std::filesystem::path& path, std::size_t user_block) {
+    const LibraryLock lock;
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     const Handle properties = hdf5::open(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path.string(), cannot_write);
     check(H5Pset_userblock(properties.id(), user_block), path.string(), "the user block has no possible size");
@@ -247,6 +247,7 @@ File File::create(const std::filesystem::path& path, std::size_t user_block) {
 }
 
 File File::open(const std::filesystem::path& path) {
+    const LibraryLock lock;
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     std::error_code ignored;
     if (!std::filesystem::exists(path, ignored)) fail(path.string(), "there is no such file; check its name");
@@ -255,14 +256,19 @@ File File::open(const std::filesystem::path& path) {
             path.string()};
 }
 
-void File::flush() const { check(H5Fflush(handle_.id(), H5F_SCOPE_LOCAL), place_, cannot_write); }
+void File::flush() const {
+    const LibraryLock lock;
+    check(H5Fflush(handle_.id(), H5F_SCOPE_LOCAL), place_, cannot_write);
+}
 
 void File::close() {
+    const LibraryLock lock;
     flush();
     check(handle_.close(), place_, cannot_write);
 }
 
 bool is_hdf5(const std::filesystem::path& path) {
+    const LibraryLock lock;
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
     return H5Fis_hdf5(path.c_str()) > 0;
 }

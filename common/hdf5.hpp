@@ -9,7 +9,7 @@
 
 /// A thin layer over the HDF5 C library: objects close themselves, errors are InputError naming the file and the
 /// object. Numbers are double, std::int64_t or std::int32_t (the element types for which the templates are
-/// instantiated).
+/// instantiated). Different threads may use different files at the same time: calls to the library take turns.
 namespace recoat::hdf5 {
 
 /// An open HDF5 object (file, group, dataset, ...) that closes itself.

@@ -5,6 +5,7 @@
 
 #include "common/error.hpp"
 #include "common/hdf5.hpp"
+#include "common/hdf5_lock.hpp"
 
 namespace recoat::hdf5 {
 namespace {
@@ -52,32 +53,41 @@ Handle open_single(hid_t object, const std::string& place, const std::string& na
 }  // namespace
 
 void Group::set_attribute(const std::string& name, double value) const {
+    const LibraryLock lock;
     write_value(handle_.id(), place_, name, H5T_NATIVE_DOUBLE, scalar_space(), &value);
 }
 
 void Group::set_attribute(const std::string& name, std::int64_t value) const {
+    const LibraryLock lock;
     write_value(handle_.id(), place_, name, H5T_NATIVE_INT64, scalar_space(), &value);
 }
 
 void Group::set_attribute(const std::string& name, const std::vector<std::int64_t>& values) const {
+    const LibraryLock lock;
     const hsize_t size = values.size();
     write_value(handle_.id(), place_, name, H5T_NATIVE_INT64, {H5Screate_simple(1, &size, nullptr), H5Sclose},
                 values.data());
 }
 
 void Group::set_attribute(const std::string& name, const std::string& text) const {
+    const LibraryLock lock;
     write_text(handle_.id(), place_, name, text);
 }
 
 void Group::set_dataset_attribute(const std::string& dataset_name, const std::string& name,
                                   const std::string& text) const {
+    const LibraryLock lock;
     const Dataset array = dataset(dataset_name);
     write_text(array.handle_.id(), array.place_, name, text);
 }
 
-bool Group::has_attribute(const std::string& name) const { return H5Aexists(handle_.id(), name.c_str()) > 0; }
+bool Group::has_attribute(const std::string& name) const {
+    const LibraryLock lock;
+    return H5Aexists(handle_.id(), name.c_str()) > 0;
+}
 
 double Group::real_attribute(const std::string& name) const {
+    const LibraryLock lock;
     const Handle attribute = open_single(handle_.id(), place_, name, H5T_FLOAT);
     double value = 0;
     if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0)
@@ -86,6 +96,7 @@ double Group::real_attribute(const std::string& name) const {
 }
 
 std::int64_t Group::integer_attribute(const std::string& name) const {
+    const LibraryLock lock;
     const Handle attribute = open_single(handle_.id(), place_, name, H5T_INTEGER);
     std::int64_t value = 0;
     if (H5Aread(attribute.id(), H5T_NATIVE_INT64, &value) < 0)
@@ -94,6 +105,7 @@ std::int64_t Group::integer_attribute(const std::string& name) const {
 }
 
 std::string Group::text_attribute(const std::string& name) const {
+    const LibraryLock lock;
     const Handle attribute = open_single(handle_.id(), place_, name, H5T_STRING);
     const Handle type(H5Aget_type(attribute.id()), H5Tclose);
     if (H5Tis_variable_str(type.id()) > 0)
