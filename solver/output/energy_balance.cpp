@@ -22,7 +22,7 @@ EnergyBalance energy_balance(const EnergyLedger& start, const EnergyLedger& end)
     balance.error = kept + balance.dissipated - balance.wall_work;
     balance.scale = balance.wall_work != 0 ? std::abs(balance.wall_work) : std::abs(balance.dissipated);
     balance.exchanged = motion_and_springs(start) + motion_and_springs(end) + std::abs(balance.wall_work) +
-                        balance.dissipated + std::abs(end.gravity - start.gravity) +
+                        std::abs(balance.dissipated) + std::abs(end.gravity - start.gravity) +
                         std::abs(end.cohesion - start.cohesion) +
                         std::abs(end.removed_with_walls - start.removed_with_walls);
     return balance;

@@ -98,6 +98,18 @@ TEST_F(Hdf5, SameContentIsTheSameBytes) {
     EXPECT_EQ(first, bytes("2.h5"));
 }
 
+TEST_F(Hdf5, AUserBlockBelongsToTheCaller) {
+    {
+        File file = File::create(path, 512);
+        file.write("a", std::vector<double>{1, 2});
+        file.close();
+    }
+    std::fstream(path, std::ios::in | std::ios::out | std::ios::binary) << std::string(512, 'x');
+    EXPECT_TRUE(is_hdf5(path));
+    EXPECT_EQ(File::open(path).read<double>("a"), (std::vector<double>{1, 2}));
+    EXPECT_THROW(File::create(path, 100), InputError);
+}
+
 TEST_F(Hdf5, DamagedAndForeignFilesAreRefusedByName) {
     EXPECT_EQ(message_of<InputError>([&] { (void)File::open(path); }),
               path.string() + ": there is no such file; check its name");

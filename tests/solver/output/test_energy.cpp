@@ -42,6 +42,24 @@ TEST(EnergyBalance, WithoutWorkItIsRelativeToWhatWasDissipated) {
     EXPECT_EQ(energy_balance({}, {}).relative_error(), 0);
 }
 
+// Motion and springs at both ends, and whatever changed between: nothing cancels.
+TEST(EnergyBalance, ExchangedIsAllThatMovedOrCouldHave) {
+    EnergyLedger start, end;
+    start.elastic_normal = 1;
+    start.gravity = 100;
+    start.cohesion = -30;
+    end.kinetic_translation = 2;
+    end.kinetic_rotation = 4;
+    end.elastic_tangential = 8;
+    end.gravity = 84;
+    end.cohesion = -62;
+    end.dissipated_normal = 64;
+    end.wall_work = -128;
+    end.removed_with_walls = -256;
+    EXPECT_DOUBLE_EQ(energy_balance(start, end).exchanged, 511);
+    EXPECT_DOUBLE_EQ(energy_balance(start, start).exchanged, 2);
+}
+
 // Guards against an entry that is added to the ledger but not to the files.
 TEST(LedgerFields, NameEveryEntry) { EXPECT_EQ(ledger_fields.size() * sizeof(double), sizeof(EnergyLedger)); }
 
