@@ -19,9 +19,12 @@ class RunFolder : public ::testing::Test {
 protected:
     int run(const std::string& setting = "seed=1", std::optional<std::int64_t> until = {}, bool overwrite = false) {
         const Scene scene = testing::scene_of(testing::spread_text, {"time_step=1e-6 s", setting});
-        return run_scene(scene, {folder_ / "a", {Backend::cpu, 1, 0}, true, overwrite, until}, testing::fake_factory(script_));
+        return run_scene(scene, {folder_ / "a", {Backend::cpu, 1, 0}, true, overwrite, until},
+                         testing::fake_factory(script_));
     }
-    int resume() { return resume_run({folder_ / "a", {Backend::cpu, 1, 0}, true, false, {}}, testing::fake_factory(script_)); }
+    int resume() {
+        return resume_run({folder_ / "a", {Backend::cpu, 1, 0}, true, false, {}}, testing::fake_factory(script_));
+    }
 
     testing::TemporaryFolder folder_;
     testing::FakeScript script_;

@@ -34,8 +34,7 @@ protected:
         fill.end.dissipated_normal = 3;
         progress.finished = {fill};
         progress.wall_seconds = 3;
-        write_summary(folder_ / "summary.json", scene_, progress, engine, RunStatus::finished,
-                      {Backend::cpu, 2, 0});
+        write_summary(folder_ / "summary.json", scene_, progress, engine, RunStatus::finished, {Backend::cpu, 2, 0});
         std::ifstream file(folder_ / "summary.json");
         return nlohmann::json::parse(file);
     }
