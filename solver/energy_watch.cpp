@@ -57,8 +57,7 @@ double energy_scale(const Scene& scene, const EnergyLedger& start, const EnergyL
                     const ParticleTable& particles) {
     double mass = 0;
     for (const double radius : particles.radius) mass += sphere_mass(radius, scene.model.density);
-    return energy_balance(start, end).exchanged +
-           EnergyWatch::negligible * mass * scene.reference_gravity * scene.diameter;
+    return energy_balance(start, end).exchanged + EnergyWatch::always * mass * scene.reference_gravity * scene.diameter;
 }
 
 void EnergyWatch::check(const Engine& engine) const {

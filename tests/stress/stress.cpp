@@ -37,8 +37,8 @@ void try_scene(const Arguments& arguments, std::uint64_t index, const fs::path& 
     const bool outside =
         !arguments.program.empty() && static_cast<double>(index * 7919 % 1000) < 1000 * arguments.share;
     const int threads = index % 4 == 0 ? 2 : 1;
-    const Ending ending = run_case(folder, threads, arguments.seconds,
-                                   outside ? std::optional<fs::path>(arguments.program) : std::nullopt);
+    const stress::Ending ending = run_case(folder, threads, arguments.seconds,
+                                           outside ? std::optional<fs::path>(arguments.program) : std::nullopt);
     const Verdict verdict = judge(ending, folder);
     tally.add(index, scene, verdict);
     if (!is_right(verdict.outcome) || arguments.keep) {

@@ -67,16 +67,16 @@ TEST_F(Watch, LosingEnergyIsNoBetter) {
 // 56500 steps gain 5 % of what is exchanged.
 TEST_F(Watch, SmallErrorsPass) { EXPECT_EQ(run(0.05 * 2e-12 / 56500), 0); }
 
-// 40 particles, a thousandth of m g d_p each.
-TEST(EnergyScale, AddsWhatIsNegligible) {
+// 40 particles, m g d_p each.
+TEST(EnergyScale, CountsTheWeightOfTheParticlesInAnyCase) {
     const Scene scene = testing::scene_of(testing::spread_text);
     ParticleTable particles;
     particles.radius.assign(40, 25e-6);
-    EXPECT_NEAR(energy_scale(scene, {}, {}, particles), 40e-3 * mass * 9.81 * 50e-6, 1e-22);
+    EXPECT_NEAR(energy_scale(scene, {}, {}, particles), 40 * mass * 9.81 * 50e-6, 1e-22);
     EnergyLedger end;
     end.dissipated_normal = 3e-12;
     end.gravity = -2e-12;
-    EXPECT_NEAR(energy_scale(scene, {}, end, particles), 5e-12 + 40e-3 * mass * 9.81 * 50e-6, 1e-22);
+    EXPECT_NEAR(energy_scale(scene, {}, end, particles), 5e-12 + 40 * mass * 9.81 * 50e-6, 1e-22);
 }
 
 }  // namespace

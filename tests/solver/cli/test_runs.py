@@ -190,6 +190,13 @@ def test_a_signal_stops_with_a_checkpoint_and_the_run_continues(solver, number):
     assert solver.summary("out")["steps"] == stopped["steps"] + 100
 
 
+@pytest.mark.parametrize("example", ["collision", "wall_impact", "sliding", "pull_off"])
+def test_the_small_examples_come_to_their_end(solver, root, example):
+    """The sphere between floor and lid gains energy slowly while it waits: no reason to stop it."""
+    solver.good("run", root / f"config/examples/{example}.yaml", "--out", "out", "--threads", 1, "--quiet")
+    assert solver.summary("out")["status"] == "finished"
+
+
 def test_progress_goes_to_standard_error_unless_quiet(solver):
     loud = solver("run", "particles.yaml", "--out", "loud")
     assert loud.stdout == "" and "run: 200 steps" in loud.stderr
