@@ -31,7 +31,7 @@ def draw(layers):
     groups = by_bond(layers)
     colours = bond_colours(groups)
     edges = class_edges(layers)
-    labels = ["0\n(empty)"] + [f"{edge - edges[0]:g}–\n{edge:g}" for edge in edges]
+    labels = ["0"] + [f"{edge - edges[0]:g}–\n{edge:g}" for edge in edges]
     panels = bond_panels(groups)
     figure, row = pyplot.subplots(1, len(panels), figsize=(PAGE, 0.4 * PAGE), sharey=True, squeeze=False)
     for axes, (title, bonds) in zip(row[0], panels):
