@@ -3,29 +3,27 @@
 #include <cstdio>
 
 namespace recoat {
-namespace {
-
-void report(std::string_view program, const char* kind, const char* sentence) noexcept {
-    std::fprintf(stderr, "%.*s: %s: %s\n", static_cast<int>(program.size()), program.data(), kind, sentence);
+Ending ending_of(const std::function<int()>& body) noexcept {
+    try {
+        return {body(), {}};
+    } catch (const InputError& error) {
+        return {2, error.what()};
+    } catch (const SimulationFault& error) {
+        return {3, error.what()};
+    } catch (const std::exception& error) {
+        return {1, error.what()};
+    } catch (...) {
+        return {1, "unknown exception"};
+    }
 }
 
-}  // namespace
-
 int run_program(std::string_view program, const std::function<int()>& body) noexcept {
-    try {
-        return body();
-    } catch (const InputError& error) {
-        report(program, "error", error.what());
-        return 2;
-    } catch (const SimulationFault& error) {
-        report(program, "error", error.what());
-        return 3;
-    } catch (const std::exception& error) {
-        report(program, "internal error (a bug: please report it with the input)", error.what());
-    } catch (...) {
-        report(program, "internal error (a bug: please report it with the input)", "unknown exception");
-    }
-    return 1;
+    const Ending ending = ending_of(body);
+    if (ending.sentence.empty()) return ending.code;
+    const char* kind = ending.code == 1 ? "internal error (a bug: please report it with the input)" : "error";
+    std::fprintf(stderr, "%.*s: %s: %s\n", static_cast<int>(program.size()), program.data(), kind,
+                 ending.sentence.c_str());
+    return ending.code;
 }
 
 }  // namespace recoat

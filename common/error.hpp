@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 
 namespace recoat {
@@ -16,8 +17,18 @@ struct SimulationFault : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Runs the body of `program` and returns the exit code: that of the body, 2 after InputError, 3 after SimulationFault,
-/// 1 after any other exception, which is a bug. Errors go to standard error as "program: error: sentence".
+/// How a program, or one of the tasks of a program, ended.
+struct Ending {
+    int code = 0;          ///< exit code
+    std::string sentence;  ///< of the exception that ended it; else empty
+};
+
+/// Runs `body`. The code is that of the body, 2 after InputError, 3 after SimulationFault, 1 after any other exception,
+/// which is a bug.
+Ending ending_of(const std::function<int()>& body) noexcept;
+
+/// Runs the body of `program` and returns the exit code as ending_of does. Errors go to standard error as
+/// "program: error: sentence".
 int run_program(std::string_view program, const std::function<int()>& body) noexcept;
 
 }  // namespace recoat

@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <cstdio>
+#include <thread>
 
 #include <CLI/CLI.hpp>
 
@@ -7,20 +9,23 @@
 #include "solver/cli/check.hpp"
 #include "solver/cli/choose_resources.hpp"
 #include "solver/cli/models.hpp"
+#include "solver/cli/share_cores.hpp"
 #include "solver/run.hpp"
 #include "solver/scene/read_scene.hpp"
 #include "solver/stop_request.hpp"
+#include "solver/sweep.hpp"
 
 namespace {
 
 using namespace recoat;
 
 struct Arguments {
-    std::string scene, out, folder;
+    std::string scene, out, folder, sweep;
     std::vector<std::string> settings;
     ResourceRequest resources;
     bool quiet = false, overwrite = false, print_config = false, json = false;
     std::optional<std::int64_t> until_step;
+    int jobs = 0;
 };
 
 const EngineFactory real_engine{make_engine, restore_engine};
@@ -56,6 +61,23 @@ int resume(const Arguments& arguments) {
     return resume_run(run_options(arguments, arguments.folder), real_engine);
 }
 
+int sweep(const Arguments& arguments) {
+    const std::vector<SweepCase> cases = read_sweep(arguments.sweep);
+    SweepOptions options;
+    options.resources = resources_of(arguments);
+    const int cores = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+    const Share share = share_cores({arguments.jobs, arguments.resources.threads}, static_cast<int>(cases.size()),
+                                    cores, options.resources.backend);
+    options.resources.threads = share.threads;
+    options.jobs = share.jobs;
+    options.quiet = arguments.quiet;
+    options.overwrite = arguments.overwrite;
+    listen_for_stop();
+    const std::vector<CaseEnding> endings = run_sweep(cases, options, real_engine);
+    std::fputs(sweep_report(endings).c_str(), stdout);
+    return exit_code(endings);
+}
+
 int check(const Arguments& arguments) {
     const Scene scene = load_scene(arguments.scene, arguments.settings);
     std::fputs(check_report(scene, resources_of(arguments), arguments.json, real_engine).c_str(), stdout);
@@ -68,17 +90,24 @@ void add_scene(CLI::App& command, Arguments& arguments) {
         ->allow_extra_args(false);
 }
 
-void add_progress(CLI::App& command, Arguments& arguments) {
+void add_quiet(CLI::App& command, Arguments& arguments) {
     command.add_flag("--quiet", arguments.quiet, "No progress on standard error");
+}
+
+void add_overwrite(CLI::App& command, Arguments& arguments) {
+    command.add_flag("--overwrite", arguments.overwrite,
+                     "Replace a run of another configuration, instead of refusing; a run of this one is continued");
+}
+
+void add_progress(CLI::App& command, Arguments& arguments) {
+    add_quiet(command, arguments);
     command.add_option("--until-step", arguments.until_step, "Stop at this step with a checkpoint")
         ->check(CLI::NonNegativeNumber);
 }
 
-void add_resources(CLI::App& command, Arguments& arguments) {
-    command
-        .add_option("--threads", arguments.resources.threads,
-                    "Threads (default: all cores); results do not depend on it")
-        ->check(CLI::PositiveNumber);
+void add_resources(CLI::App& command, Arguments& arguments,
+                   const char* threads = "Threads (default: all cores); results do not depend on it") {
+    command.add_option("--threads", arguments.resources.threads, threads)->check(CLI::PositiveNumber);
     command
         .add_option("--backend", arguments.resources.backend,
                     "Where to compute: cpu, cuda, or auto for a CUDA device where there is one (default)")
@@ -91,8 +120,7 @@ void add_commands(CLI::App& app, Arguments& arguments) {
     CLI::App& run_command = *app.add_subcommand("run", "Run a scene");
     add_scene(run_command, arguments);
     run_command.add_option("--out", arguments.out, "Folder for states, checkpoint and summary");
-    run_command.add_flag("--overwrite", arguments.overwrite,
-                         "Replace a run of another configuration, instead of refusing; a run of this one is continued");
+    add_overwrite(run_command, arguments);
     run_command.add_flag("--print-config", arguments.print_config, "Print the scene with all defaults and stop");
     add_progress(run_command, arguments);
     add_resources(run_command, arguments);
@@ -101,6 +129,18 @@ void add_commands(CLI::App& app, Arguments& arguments) {
     resume_command.add_option("folder", arguments.folder, "Folder of the run")->required();
     add_progress(resume_command, arguments);
     add_resources(resume_command, arguments);
+
+    CLI::App& sweep_command = *app.add_subcommand("sweep", "Run several scenes at the same time, on one device");
+    sweep_command.add_option("file", arguments.sweep, "Sweep file (YAML): scene, and cases of {out, set, scene}")
+        ->required();
+    sweep_command
+        .add_option("--jobs", arguments.jobs,
+                    "Cases at the same time (default: all on a CUDA device; on the CPU as many as have cores)")
+        ->check(CLI::PositiveNumber);
+    add_overwrite(sweep_command, arguments);
+    add_quiet(sweep_command, arguments);
+    add_resources(sweep_command, arguments,
+                  "Threads of each case (default: the cores, shared); results do not depend on it");
 
     CLI::App& check_command =
         *app.add_subcommand("check", "Print derived numbers, time-step limits, expected run time");
@@ -114,6 +154,7 @@ void add_commands(CLI::App& app, Arguments& arguments) {
 int dispatch(const CLI::App& app, const Arguments& arguments) {
     if (app.got_subcommand("run")) return run(arguments);
     if (app.got_subcommand("resume")) return resume(arguments);
+    if (app.got_subcommand("sweep")) return sweep(arguments);
     if (app.got_subcommand("check")) return check(arguments);
     std::fputs(models_text().c_str(), stdout);
     return 0;

@@ -20,8 +20,11 @@ double seconds_between(std::chrono::steady_clock::time_point a, std::chrono::ste
 
 }  // namespace
 
-ProgressLine::ProgressLine(bool quiet, std::size_t particles)
-    : quiet_(quiet), terminal_(isatty(STDERR_FILENO) == 1), particles_(static_cast<double>(particles)) {}
+ProgressLine::ProgressLine(bool quiet, std::size_t particles, const std::string& name)
+    : quiet_(quiet),
+      terminal_(name.empty() && isatty(STDERR_FILENO) == 1),
+      particles_(static_cast<double>(particles)),
+      start_(name.empty() ? "" : name + ": ") {}
 
 void ProgressLine::begin(const std::string& stage, std::int64_t done, std::int64_t steps) {
     stage_ = stage;
@@ -36,7 +39,7 @@ std::string ProgressLine::text(std::int64_t done) const {
     const double share = steps_ > 0 ? static_cast<double>(done) / static_cast<double>(steps_) : 1;
     const std::string left = rate > 0 ? duration_text(static_cast<double>(steps_ - done) / rate) : "unknown time";
     const std::string rates = fmt::format("{:.2e} particle-steps/s, at most {} left", rate * particles_, left);
-    if (!terminal_) return fmt::format("{}: step {} of at most {}, {}", stage_, done, steps_, rates);
+    if (!terminal_) return fmt::format("{}{}: step {} of at most {}, {}", start_, stage_, done, steps_, rates);
     const int filled = static_cast<int>(share * 20);
     return fmt::format("{} [{:#<{}}{:.<{}}] {:3.0f} %, {}", stage_, "", filled, "", 20 - filled, 100 * share, rates);
 }
@@ -53,7 +56,7 @@ void ProgressLine::update(std::int64_t done) {
 
 void ProgressLine::say(const std::string& sentence) {
     if (quiet_) return;
-    std::fputs(((bar_shown_ ? "\r\033[K" : "") + sentence + "\n").c_str(), stderr);
+    std::fputs(((bar_shown_ ? "\r\033[K" : "") + start_ + sentence + "\n").c_str(), stderr);
     bar_shown_ = false;
 }
 

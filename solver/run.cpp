@@ -107,7 +107,7 @@ int continue_from(const Scene& scene, const LatestCheckpoint& latest, const RunO
                   const EngineFactory& factory) {
     const Checkpoint& checkpoint = latest.checkpoint;
     const auto engine = factory.restore(engine_setup(scene, options.resources), checkpoint.engine);
-    ProgressLine line(options.quiet, 0);
+    ProgressLine line(options.quiet, 0, options.name);
     if (!latest.note.empty()) line.say("Note: " + latest.note);
     if (checkpoint.version != program_version()) {
         line.say("Note: the checkpoint was written by version " + checkpoint.version + ", this is " +
@@ -160,6 +160,10 @@ int resume_in_folder(const RunOptions& options, const EngineFactory& factory) {
 int run_scene(const Scene& scene, const RunOptions& options, const EngineFactory& factory) {
     make_folder(options.folder);
     return with_folder(options, [&] { return run_in_folder(scene, options, factory); });
+}
+
+bool is_finished(const Scene& scene, const RunOptions& options) {
+    return plan_for(scene, options.folder, options.overwrite).kind == Plan::nothing;
 }
 
 int resume_run(const RunOptions& options, const EngineFactory& factory) {

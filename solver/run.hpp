@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "solver/scene/engine_factory.hpp"
 #include "solver/scene/scene.hpp"
@@ -15,6 +16,7 @@ struct RunOptions {
     bool quiet = false;
     bool overwrite = false;                  ///< replace a run of another configuration
     std::optional<std::int64_t> until_step;  ///< stop there with a checkpoint
+    std::string name = {};                   ///< before lines of progress, where several run at the same time
 };
 
 /// Runs all stages of `scene` and returns the exit code: 0 when it finished or reached `until_step`; 128 + signal, the
@@ -24,6 +26,10 @@ struct RunOptions {
 /// continued; that of another scene is refused with InputError. SimulationFault after a fault, with the state of the
 /// moment before in DIR/fault.vtkhdf.
 int run_scene(const Scene& scene, const RunOptions& options, const EngineFactory& factory);
+
+/// Whether `options.folder` holds a finished run of this scene, so that run_scene would leave it as it is. Throws
+/// InputError where run_scene would refuse the folder.
+bool is_finished(const Scene& scene, const RunOptions& options);
 
 /// Continues the run in `options.folder` to the bit. Throws InputError when there is nothing to continue.
 int resume_run(const RunOptions& options, const EngineFactory& factory);

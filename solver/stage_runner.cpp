@@ -29,7 +29,7 @@ StageRunner::StageRunner(const Scene& scene, const RunOptions& options, Engine& 
       progress_(std::move(progress)),
       trajectory_(options.folder),
       particles_(engine.particles().size()),
-      line_(options.quiet, particles_),
+      line_(options.quiet, particles_, options.name),
       energy_watch_(scene, progress_.start),
       counted_(Clock::now()),
       saved_(Clock::now()) {}

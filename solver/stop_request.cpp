@@ -1,11 +1,14 @@
 #include "solver/stop_request.hpp"
 
+#include <atomic>
 #include <csignal>
 
 namespace recoat {
 namespace {
 
-volatile std::sig_atomic_t received = 0;
+/// Written by whichever thread the signal meets, read by those that run.
+std::atomic<int> received = 0;
+static_assert(std::atomic<int>::is_always_lock_free, "or a signal handler may not write it");
 
 void remember(int signal) { received = signal; }
 

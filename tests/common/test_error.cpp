@@ -39,5 +39,18 @@ TEST(RunProgram, AnythingElseIsABug) {
     EXPECT_NE(output.find("bug"), std::string::npos);
 }
 
+TEST(EndingOf, HasTheCodeAndTheSentence) {
+    const auto expect = [](const std::function<int()>& body, int code, const std::string& sentence) {
+        const Ending ending = ending_of(body);
+        EXPECT_EQ(ending.code, code);
+        EXPECT_EQ(ending.sentence, sentence);
+    };
+    expect([] { return 130; }, 130, "");
+    expect([]() -> int { throw InputError("mend it"); }, 2, "mend it");
+    expect([]() -> int { throw SimulationFault("it left"); }, 3, "it left");
+    expect([]() -> int { throw std::logic_error("index"); }, 1, "index");
+    expect([]() -> int { throw 5; }, 1, "unknown exception");
+}
+
 }  // namespace
 }  // namespace recoat
