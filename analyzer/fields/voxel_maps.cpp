@@ -6,8 +6,6 @@
 #include <cmath>
 #include <functional>
 
-#include <tbb/parallel_for.h>
-
 #include "analyzer/fields/packing_map.hpp"
 #include "analyzer/fields/strip_sums.hpp"
 #include "analyzer/fields/voxel_mask.hpp"
@@ -111,17 +109,15 @@ VoxelMaps voxel_maps(const Layer& layer, const AnalysisConfig& config, int voxel
     const int i_begin = static_cast<int>(std::floor(-overhang * n)),
               period = static_cast<int>(std::lround(layer.width * n));
     const int i_end = static_cast<int>(std::ceil((layer.length + overhang) * n));
-    const openvdb::MaskTree mask = voxel_mask(layer, n, i_begin, i_end);
-    std::vector<const Leaf*> leaves;
-    mask.getNodes(leaves);
-
     const VoxelStrips phi_strips(phi_lattice, n, i_begin, i_end, period, config.bin_tol);
     const VoxelStrips height_strips(height_lattice, n, i_begin, i_end, period, config.bin_tol);
     SharedTable counts(phi_lattice), tops(height_lattice);
     const int layers = voxels_in(layer.clearance, n, config.bin_tol);
-    tbb::parallel_for(std::size_t{0}, leaves.size(), [&](std::size_t leaf) {
-        count_leaf(*leaves[leaf], phi_strips, layers, counts);
-        raise_leaf(*leaves[leaf], height_strips, tops);
+    visit_voxel_slabs(layer, n, i_begin, i_end, [&](const openvdb::MaskTree& mask) {
+        for (auto leaf = mask.cbeginLeaf(); leaf; ++leaf) {
+            count_leaf(*leaf, phi_strips, layers, counts);
+            raise_leaf(*leaf, height_strips, tops);
+        }
     });
 
     const NodeRange nodes = packing_nodes(layer.grid, config.phi_window, config.phi_x_edge);

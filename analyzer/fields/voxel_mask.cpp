@@ -104,29 +104,65 @@ void add_sphere(Rasteriser& rasteriser, const Layer& layer, std::size_t p, int n
     }
 }
 
+/// The rows of voxels along x, cut into slabs, and the spheres that reach into each.
+class Slabs {
+public:
+    Slabs(const Layer& layer, int n, int i_begin, int i_end)
+        : layer_(layer),
+          n_(n),
+          i_begin_(i_begin),
+          i_end_(i_end),
+          first_(slab_of(i_begin)),
+          count_(slab_of(i_end - 1) - first_ + 1),
+          lists_(ranges(), count_) {}
+
+    [[nodiscard]] int count() const { return count_; }
+
+    /// Turns on the voxels of a slab.
+    void draw(int slab, openvdb::MaskTree& tree) const {
+        Rasteriser rasteriser(tree, n_);
+        const int begin = (first_ + slab) * slab_side;
+        const RowRange rows = {std::max(begin, i_begin_), std::min(begin + slab_side, i_end_) - 1};
+        for (const std::size_t p : lists_.items(slab)) add_sphere(rasteriser, layer_, p, n_, rows);
+    }
+
+private:
+    static int slab_of(int i) { return static_cast<int>(std::floor(static_cast<double>(i) / slab_side)); }
+
+    [[nodiscard]] std::vector<RowRange> ranges() const {
+        std::vector<RowRange> result(layer_.size());
+        for (std::size_t p = 0; p < layer_.size(); ++p) {
+            const double x = layer_.x[p], r = layer_.radius[p];
+            const RowRange i = voxels_between(x - r, x + r, n_, i_begin_, i_end_);
+            if (i.first <= i.last) result[p] = {slab_of(i.first) - first_, slab_of(i.last) - first_};
+        }
+        return result;
+    }
+
+    const Layer& layer_;
+    int n_, i_begin_, i_end_, first_, count_;
+    RowLists lists_;
+};
+
 }  // namespace
 
 openvdb::MaskTree voxel_mask(const Layer& layer, int voxels_per_dp, int i_begin, int i_end) {
-    const int n = voxels_per_dp;
-    const auto slab_of = [](int i) { return static_cast<int>(std::floor(static_cast<double>(i) / slab_side)); };
-    const int first_slab = slab_of(i_begin), slabs = slab_of(i_end - 1) - first_slab + 1;
-    std::vector<RowRange> ranges(layer.size());
-    for (std::size_t p = 0; p < layer.size(); ++p) {
-        const double x = layer.x[p], r = layer.radius[p];
-        const RowRange i = voxels_between(x - r, x + r, n, i_begin, i_end);
-        if (i.first <= i.last) ranges[p] = {slab_of(i.first) - first_slab, slab_of(i.last) - first_slab};
-    }
-    const RowLists lists(ranges, slabs);
-    std::vector<openvdb::MaskTree> trees(slabs);
-    tbb::parallel_for(0, slabs, [&](int s) {
-        Rasteriser rasteriser(trees[s], n);
-        const int begin = (first_slab + s) * slab_side;
-        const RowRange slab = {std::max(begin, i_begin), std::min(begin + slab_side, i_end) - 1};
-        for (const std::size_t p : lists.items(s)) add_sphere(rasteriser, layer, p, n, slab);
-    });
+    const Slabs slabs(layer, voxels_per_dp, i_begin, i_end);
+    std::vector<openvdb::MaskTree> trees(static_cast<std::size_t>(slabs.count()));
+    tbb::parallel_for(0, slabs.count(), [&](int s) { slabs.draw(s, trees[static_cast<std::size_t>(s)]); });
     openvdb::MaskTree whole;
     for (openvdb::MaskTree& tree : trees) whole.merge(tree, openvdb::MERGE_ACTIVE_STATES);
     return whole;
+}
+
+void visit_voxel_slabs(const Layer& layer, int voxels_per_dp, int i_begin, int i_end,
+                       const std::function<void(const openvdb::MaskTree&)>& visit) {
+    const Slabs slabs(layer, voxels_per_dp, i_begin, i_end);
+    tbb::parallel_for(0, slabs.count(), [&](int s) {
+        openvdb::MaskTree tree;
+        slabs.draw(s, tree);
+        visit(tree);
+    });
 }
 
 }  // namespace recoat

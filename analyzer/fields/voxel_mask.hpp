@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include <openvdb/openvdb.h>
 
 #include "analyzer/fields/layer.hpp"
@@ -13,5 +15,10 @@ namespace recoat {
 /// out. Memory grows with the solid, not with the region. Built in parallel; the tree does not depend on the number of
 /// threads.
 [[nodiscard]] openvdb::MaskTree voxel_mask(const Layer& layer, int voxels_per_dp, int i_begin, int i_end);
+
+/// The same voxels slab by slab along x, in a memory that does not grow with the layer: visit(tree) for each slab, from
+/// several threads at once, in any order.
+void visit_voxel_slabs(const Layer& layer, int voxels_per_dp, int i_begin, int i_end,
+                       const std::function<void(const openvdb::MaskTree&)>& visit);
 
 }  // namespace recoat
