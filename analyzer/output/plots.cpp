@@ -57,6 +57,7 @@ fs::path script() {
 /// Exit status of a program found along PATH; 127 where it cannot be started.
 int run(const std::vector<std::string>& words) {
     std::vector<char*> arguments;
+    arguments.reserve(words.size() + 1);
     for (const std::string& word : words) arguments.push_back(const_cast<char*>(word.c_str()));
     arguments.push_back(nullptr);
     pid_t child = 0;
