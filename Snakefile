@@ -13,7 +13,8 @@ validate(config, "config/schema/grid.schema.json")
 
 
 include: "workflow/rules/common.smk"
-include: "workflow/rules/simulate.smk"
+include: "workflow/rules/sweep.smk" if config["gpus"] else "workflow/rules/simulate.smk"
+include: "workflow/rules/derive.smk"
 include: "workflow/rules/analyze.smk"
 include: "workflow/rules/check.smk"
 include: "workflow/rules/figures.smk"

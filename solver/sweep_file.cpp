@@ -22,7 +22,7 @@ Scene scene_of_case(const Config& entry, const std::string& file, const fs::path
 }
 
 std::string text_of_case(const Config& entry, const std::string& key) {
-    const std::string text = entry.text(key);
+    std::string text = entry.text(key);
     if (text.empty()) entry.fail(key, "the text is empty; name a file or folder");
     return text;
 }

@@ -1,6 +1,7 @@
 # The cases of the grid and where their files are. Every path below results/ is made by grid_file or case_file.
 
 import json
+import os
 import shlex
 from collections import namedtuple
 from itertools import product
@@ -20,12 +21,16 @@ wildcard_constraints:
     bond=r"[0-9.e+-]+",
     ratio=r"[0-9.e+-]+",
     seed="[0-9]+",
+    sweep="(layers|fills)-[0-9]+",
 
 
 Case = namedtuple("Case", "kind bond ratio seed")
 
+STAGES = ["fill", "heap", "spread"]
+
 ENVIRONMENT = "../envs/python.yaml"
 SOLVER = ancient(f"{config['build_directory']}/solver/recoat-solve")
+BACKEND = config.get("backend", "cuda" if config["gpus"] else "auto")
 ANALYZER = ancient(f"{config['build_directory']}/analyzer/recoat-analyze")
 
 
@@ -148,17 +153,59 @@ def fill_stage():
     return yaml.safe_dump(stages[:1], default_flow_style=True, width=float("inf")).strip()
 
 
-def overrides(kind, wildcards):
-    """The --set options of one case; a case that ends with the fill stage has no others to set."""
+def settings_of(kind, case):
+    """What one case sets, as texts "a.b=v"; a case that ends with the fill stage has no others to set."""
     settings = dict(config["scene_overrides"])
     if kind == "fills":
         later = [key for key in settings if key.startswith("stages.") and not key.startswith("stages.fill.")]
         settings = {"stages": fill_stage()} | {key: value for key, value in settings.items() if key not in later}
-    settings["cohesion.bond_number"] = wildcards.bond
-    settings["stiffness_ratio"] = wildcards.ratio
-    settings["time_step"] = TIME_STEPS[wildcards.bond, wildcards.ratio]
-    settings["seed"] = wildcards.seed
-    return " ".join(f"--set {shlex.quote(f'{key}={value}')}" for key, value in settings.items())
+    settings["cohesion.bond_number"] = case.bond
+    settings["stiffness_ratio"] = case.ratio
+    settings["time_step"] = TIME_STEPS[case.bond, case.ratio]
+    settings["seed"] = case.seed
+    return [f"{key}={value}" for key, value in settings.items()]
+
+
+def overrides(kind, case):
+    """The same as --set options."""
+    return " ".join(f"--set {shlex.quote(setting)}" for setting in settings_of(kind, case))
+
+
+def sweeps_of(kind):
+    """The cases of one kind that are in the grid, in groups that share a GPU, by the name of the group."""
+    cases, size = [case for case in CASES if case.kind == kind], config["cases_per_gpu"]
+    return {f"{kind}-{i // size + 1}": cases[i : i + size] for i in range(0, len(cases), size)}
+
+
+# Layers and fills apart: a sweep takes as long as its longest case.
+SWEEPS = sweeps_of("layers") | sweeps_of("fills")
+
+
+def sweep_report(kind):
+    """An input function: the report of the sweep that a case is in."""
+
+    def report(wildcards):
+        wanted = Case(kind, wildcards.bond, wildcards.ratio, wildcards.seed)
+        return [grid_file(f"sweeps/{name}.txt") for name, cases in SWEEPS.items() if wanted in cases]
+
+    return report
+
+
+def sweep_device(name):
+    """Number of the CUDA device of a sweep: the devices take turns."""
+    return config["devices"][list(SWEEPS).index(name) % len(config["devices"])]
+
+
+def sweep_content(name):
+    """What a sweep file holds; paths start from its folder."""
+    folder = grid_file("sweeps")
+    return {
+        "scene": os.path.relpath(config["scene"], folder),
+        "cases": [
+            {"out": os.path.relpath(case_file("run", case, case.kind), folder), "set": settings_of(case.kind, case)}
+            for case in SWEEPS[name]
+        ],
+    }
 
 
 def script_file(name):

@@ -2,9 +2,7 @@
 #
 # The solver works in a folder of its own below the case, which Snakemake does not know and so does not clear after a
 # failure: an interrupted run continues from its last checkpoint. What it made is linked into place at the end.
-
-STAGES = ["fill", "heap", "spread"]
-
+# With GPUs sweep.smk takes the place of this file.
 
 rule simulate_layer:
     """Fill, heap and spread one case; the state after each stage and the run's summary are the result."""
@@ -21,17 +19,17 @@ rule simulate_layer:
     params:
         work=lambda wildcards, output: Path(output.summary).parent / "run",
         settings=lambda wildcards: overrides("layers", wildcards),
+        backend=BACKEND,
     log:
         case_file("solve.log", kind="layers"),
     benchmark:
         case_file("solve.tsv", kind="layers")
     threads: config["solver_threads"]
-    resources:
-        gpu=config["gpus"],
     conda:
         ENVIRONMENT
     shell:
-        "{input.solver} run {input.scene} --out {params.work} --overwrite --threads {threads} {params.settings}"
+        "{input.solver} run {input.scene} --out {params.work} --overwrite --threads {threads}"
+        " --backend {params.backend} {params.settings}"
         " > {log} 2>&1 && for result in {output}; do ln -f {params.work}/$(basename $result) $result; done"
 
 
@@ -48,36 +46,15 @@ rule simulate_fill:
     params:
         work=lambda wildcards, output: Path(output.summary).parent / "run",
         settings=lambda wildcards: overrides("fills", wildcards),
+        backend=BACKEND,
     log:
         case_file("solve.log", kind="fills"),
     benchmark:
         case_file("solve.tsv", kind="fills")
     threads: config["solver_threads"]
-    resources:
-        gpu=config["gpus"],
     conda:
         ENVIRONMENT
     shell:
-        "{input.solver} run {input.scene} --out {params.work} --overwrite --threads {threads} {params.settings}"
+        "{input.solver} run {input.scene} --out {params.work} --overwrite --threads {threads}"
+        " --backend {params.backend} {params.settings}"
         " > {log} 2>&1 && for result in {output}; do ln -f {params.work}/$(basename $result) $result; done"
-
-
-rule derive:
-    """Every number that follows from the scene of one case: moduli, Hamaker constants, time step limits."""
-    message:
-        "Derived numbers of Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}"
-    input:
-        solver=SOLVER,
-        scene=config["scene"],
-    output:
-        case_file("derived.json"),
-    params:
-        settings=lambda wildcards: overrides(wildcards.kind, wildcards),
-    log:
-        case_file("derive.log"),
-    benchmark:
-        case_file("derive.tsv")
-    conda:
-        ENVIRONMENT
-    shell:
-        "{input.solver} check {input.scene} --json {params.settings} > {output} 2> {log}"
