@@ -1,6 +1,7 @@
 """Sweeps from the command line."""
 
 import os
+import shutil
 import signal
 import subprocess
 import time
@@ -44,6 +45,15 @@ def test_every_scene_is_checked_before_the_first_one_starts(solver):
     solver.write("sweep.yaml", SWEEP + "  - {out: swept/c, set: [time_step=1 s]}\n")
     assert "sweep.yaml:6: cases.2: --set time_step=1 s" in solver.refusal("sweep", "sweep.yaml")
     assert not (solver.folder / "swept").exists()
+
+
+def test_the_example_is_good(solver, root):
+    """All its scenes are, where only the one behind them is refused."""
+    shutil.copytree(root / "config", solver.folder / "config")
+    example = (root / "config/sweep.yaml").read_text()
+    solver.write("config/sweep.yaml", example + "  - {out: last, set: [time_step=1 s]}\n")
+    line = len(example.splitlines()) + 1
+    assert f"config/sweep.yaml:{line}: cases.4: --set time_step=1 s" in solver.refusal("sweep", "config/sweep.yaml")
 
 
 def test_a_case_that_cannot_run_does_not_stop_the_others(solver):
