@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench bench-analyzer stress fuzz clean faults
+.PHONY: setup programs build reproduce test lint bench static bench-analyzer stress fuzz clean faults
 
 setup:
 	@./setup.sh
@@ -31,6 +31,10 @@ clean:
 
 bench: build
 	@bench/side_by_side.sh bench/results/side-by-side.json
+
+# A solver without libraries of its own, for other machines, and what checks it there (bench/gpu.sh).
+static: setup
+	@cmake --preset static --log-level=WARNING && cmake --build --preset static --parallel $(CORES)
 
 # Random scenes far beyond the usual ones (docs/stability.md); those that go wrong stay in results/stress.
 SEED ?= 1

@@ -63,8 +63,9 @@ struct ParticlePass {
 
         turn(i, got, position.w);
         store(p.velocity, i, row(velocity));
-        store(p.acceleration, i, row(acceleration));
-        if constexpr (!cohesive) {
+        if constexpr (cohesive) {
+            store(p.acceleration, i, row(acceleration));
+        } else {
             store(p.position, i, row(position.xyz() + time_step * velocity, position.w));
             store(p.contact_velocity, i, row(velocity + 0.5 * time_step * acceleration));
         }

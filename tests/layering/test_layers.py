@@ -142,3 +142,23 @@ def test_every_header_compiles_alone(build):
         found = dict(zip(map(name, headers), pool.map(errors, headers)))
     assert found
     assert {header: error for header, error in found.items() if error} == {}
+
+
+def code_of(file):
+    """A file without its comments."""
+    return re.sub(r"//[^\n]*|/\*.*?\*/", "", file.read_text(), flags=re.DOTALL)
+
+
+def test_device_code_only_instantiates():
+    """The step and the physics exist once: kernels run whatever body they are given, translation units of nvcc name types."""
+    units = [f for f in sources("*.cu") if folder_of(f.relative_to(ROOT)) == "solver/engine"]
+    assert units
+    for unit in units:
+        code = code_of(unit)
+        assert not re.search(r"__global__|<<<|\bfor\b|\bwhile\b|[^/]\*\s*\w|\+=", code), f"{name(unit)} computes something"
+    kernels = {name(f) for f in sources("*.hpp", "*.cuh", "*.cpp", "*.cu") if "__global__" in code_of(f)}
+    assert kernels == {"solver/execution/cuda_kernels.cuh"}
+
+
+def test_device_check_sees_a_loop():
+    assert re.search(r"\bfor\b", code_of(ROOT / "solver/execution/cuda_kernels.cuh"))

@@ -10,6 +10,7 @@
 
 #include "solver/contact/material.hpp"
 #include "solver/engine/engine.hpp"
+#include "tests/support/backend.hpp"
 
 namespace recoat::testing {
 
@@ -55,6 +56,7 @@ struct SmallScene {
         setup.diameter = diameter;
         setup.domain_lower = {-infinity, -infinity, -infinity};
         setup.domain_upper = {infinity, infinity, infinity};
+        setup.resources = test_resources();
     }
 
     /// A sphere of half the diameter of the set-up, unless `radius` is given.

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "solver/engine/engine.hpp"
+#include "tests/support/backend.hpp"
 #include "tests/support/paper_model.hpp"
 
 namespace recoat::testing {
@@ -51,6 +52,7 @@ inline EngineSetup paper_setup(double bond_number = 0) {
     setup.diameter = dp;
     setup.domain_lower = {-1, -1, -1};
     setup.domain_upper = {1, 1, 1};
+    setup.resources = test_resources();
     return setup;
 }
 
