@@ -45,14 +45,16 @@ inline Cells make_cells(Extent extent, double side, double y_min, double y_perio
         extent.upper[1] = y_min + y_period;
     }
     const double most = 8.0 * static_cast<double>(extent.particles) + 1000;
-    double volume = 1;
-    for (int a = 0; a < 3; ++a) volume *= std::floor((extent.upper[a] - extent.lower[a]) / side) + 1;
-    const double growth = volume > most ? std::cbrt(volume / most) + 1 : 1;
+    const auto fit = [&](int a, double width) {
+        const double cells_along = std::floor((extent.upper[a] - extent.lower[a]) / width);
+        return cells_along > 1 ? cells_along : 1;
+    };
+    double width = side;
+    while (fit(0, width) * fit(1, width) * fit(2, width) > most) width *= 1.25;
     for (int a = 0; a < 3; ++a) {
         const double length = extent.upper[a] - extent.lower[a];
-        const double fit = std::floor(length / (side * growth));
         cells.lower[a] = extent.lower[a];
-        cells.along[a] = fit > 1 ? static_cast<std::int64_t>(fit) : 1;
+        cells.along[a] = static_cast<std::int64_t>(fit(a, width));
         cells.inverse[a] = length > 0 ? static_cast<double>(cells.along[a]) / length : 0;
     }
     return cells;

@@ -64,6 +64,9 @@ TEST(Cells, GrowWhereParticlesAreFew) {
     std::vector<Row> rows = scattered(20, 1, 4);
     rows.push_back({1e6, 1e6, 1e6, 1});
     EXPECT_LT(grid(rows, 1e-3, 0, 0).count(), 8 * 21 + 1001);
+    // Far apart along one axis only, where cells cannot grow along the others.
+    const std::vector<Row> line = {{0, 0, 0, 1}, {1e12, 0, 0, 1}, {1e12, 1e-3, 0, 1}};
+    EXPECT_LT(grid(line, 1e-3, 0, 0).count(), 8 * 3 + 1001);
 }
 
 TEST(Cells, NotANumberLiesInACellToo) {
