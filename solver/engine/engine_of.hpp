@@ -75,6 +75,7 @@ public:
         lists_.refresh(space_, s_, anchors_);
         seen_ = Seen::nothing;
         s_.totals.removed_with_walls += before - held(ledger());
+        seen_ = Seen::nothing;
         keep();
     }
 

@@ -146,8 +146,8 @@ public:
             return cub::DeviceRadixSort::SortPairs(scratch, bytes, keys_.data(), sorted_.data(), numbers_.data(),
                                                    entries.data(), n, 0, significant_bits(buckets), stream_);
         });
-        launch(kernels::first_of_each<std::uint32_t>, buckets + 1, static_cast<const std::uint32_t*>(sorted_.data()), n, begin.data(),
-               buckets + 1);
+        launch(kernels::first_of_each<std::uint32_t>, buckets + 1, static_cast<const std::uint32_t*>(sorted_.data()), n,
+               begin.data(), buckets + 1);
     }
 
     template <class End, class Body>
@@ -175,8 +175,11 @@ private:
 
     template <class... Parameters, class... Arguments>
     void launch(void (*kernel)(Parameters...), std::size_t threads, const Arguments&... arguments) {
-        kernel<<<block_count(threads, kernels::block_size), kernels::block_size, 0, stream_>>>(arguments...);
-        check_cuda(cudaGetLastError(), "starting a loop");
+        cudaLaunchConfig_t config{};
+        config.gridDim = dim3(block_count(threads, kernels::block_size));
+        config.blockDim = dim3(kernels::block_size);
+        config.stream = stream_;
+        check_cuda(cudaLaunchKernelEx(&config, kernel, arguments...), "starting a loop");
     }
 
     void move(void* to, const void* from, std::size_t bytes, cudaMemcpyKind kind) {

@@ -17,8 +17,9 @@ inline void check_cuda(cudaError_t error, const char* doing) {
         throw InputError(std::string("the CUDA device has too little free memory (") + doing +
                          "): use fewer particles, another device, or --backend cpu");
     if (error == cudaErrorNoKernelImageForDevice)
-        throw InputError("this program has no code for the CUDA device: build it with the device's architecture in "
-                         "RECOAT_CUDA_ARCHITECTURES, or use --backend cpu");
+        throw InputError(
+            "this program has no code for the CUDA device: build it with the device's architecture in "
+            "RECOAT_CUDA_ARCHITECTURES, or use --backend cpu");
     throw std::runtime_error(std::string("CUDA, ") + doing + ": " + cudaGetErrorString(error));
 }
 

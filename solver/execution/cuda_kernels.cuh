@@ -10,6 +10,8 @@ namespace recoat::kernels {
 
 inline constexpr unsigned block_size = 128;
 inline constexpr unsigned warp_size = 32;
+/// Blocks of the last loop that a multiprocessor takes at least: told less, the compiler spills some registers.
+inline constexpr unsigned last_blocks = 6;
 
 __device__ inline std::size_t thread_number() {
     return static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x;
@@ -120,7 +122,7 @@ __global__ void __launch_bounds__(block_size) guarded(Loop loop) {
 /// The last loop of a step, and then, in the block that is done last, its end. The loop may be closed, because an
 /// earlier one found a fault, which the end then notes.
 template <class Loop, class End>
-__global__ void __launch_bounds__(block_size) guarded_last(Loop loop, End end, unsigned* ticket) {
+__global__ void __launch_bounds__(block_size, last_blocks) guarded_last(Loop loop, End end, unsigned* ticket) {
     if (!end.running()) return;
     const std::size_t k = thread_number();
     double value = k < loop.size() && loop.open() ? loop(k) : 0;
