@@ -18,7 +18,7 @@
 #define __device__
 #define __host__
 #define __shared__ static
-#define __launch_bounds__(threads)
+#define __launch_bounds__(...)
 
 enum cudaError_t {
     cudaSuccess,
