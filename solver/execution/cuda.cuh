@@ -153,6 +153,12 @@ public:
     template <class End, class Body>
     void repeat(std::int64_t count, const End&, const Body& body) {
         use();
+        // A kernel is loaded when it is first started, which must not happen while steps are being recorded.
+        if (!loaded_ && count > 0) {
+            body();
+            loaded_ = true;
+            --count;
+        }
         for (const Launch& launch : plan_launches(count)) {
             const cudaGraphExec_t graph = graphs_.of(launch.steps, stream_, body);
             for (std::int64_t k = 0; k < launch.times; ++k)
@@ -208,6 +214,7 @@ private:
     int device_;
     cudaStream_t stream_ = nullptr;
     CudaGraphs graphs_;
+    bool loaded_ = false;
     DeviceArray<unsigned> ticket_;
     DeviceArray<double> partial_, sums_, other_sums_;
     DeviceArray<std::uint64_t> sorted_wide_;
