@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <ostream>
 #include <random>
 #include <string>
 #include <utility>
@@ -87,6 +88,12 @@ struct Variety {
     RollingForm rolling = RollingForm::own;
     double spread = 1;
     std::size_t particles = 600;
+
+    /// As it stands in the name of a test.
+    friend void PrintTo(const Variety& v, std::ostream* out) {
+        *out << "Bo " << v.bond << (v.rolling == RollingForm::relative ? ", relative rolling" : "")
+             << (v.spread < 1 ? ", unequal" : "");
+    }
 };
 
 /// Particles on a loose grid that fly about at random in a box, periodic in y, with a bar above them: collisions begin
