@@ -4,9 +4,8 @@
 #include <cmath>
 #include <numeric>
 
-#include <tbb/parallel_for.h>
-
 #include "analyzer/fields/cell_list.hpp"
+#include "analyzer/fields/parallel.hpp"
 
 namespace recoat {
 namespace {
@@ -39,12 +38,12 @@ ContactGraph find_contacts(const Layer& layer, const AnalysisConfig& config) {
     const Touching touching{layer, config.contact_factor, config.contact_mode == ContactMode::radii};
     const CellList cells(layer, touching.longest_reach());
     std::vector<std::size_t> start(layer.size() + 1, 0);
-    tbb::parallel_for(std::size_t{0}, layer.size(), [&](std::size_t i) {
+    for_each_in_parallel(layer.size(), [&](std::size_t i) {
         cells.for_each_near(i, [&](std::size_t j) { start[i + 1] += touching(i, j); });
     });
     std::partial_sum(start.begin(), start.end(), start.begin());
     std::vector<std::size_t> neighbour(start.back());
-    tbb::parallel_for(std::size_t{0}, layer.size(), [&](std::size_t i) {
+    for_each_in_parallel(layer.size(), [&](std::size_t i) {
         auto next = neighbour.begin() + static_cast<std::ptrdiff_t>(start[i]);
         const auto first = next;
         cells.for_each_near(i, [&](std::size_t j) {

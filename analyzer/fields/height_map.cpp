@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
-
+#include "analyzer/fields/parallel.hpp"
 #include "analyzer/fields/row_lists.hpp"
 #include "analyzer/fields/sphere_box.hpp"
 
@@ -32,7 +31,7 @@ Map height_map(const Layer& layer, const AnalysisConfig& config) {
     }
     const RowLists lists(rows, grid.nx);
     Map map(0, grid.nx, grid.ny);
-    tbb::parallel_for(0, grid.nx, [&](int ix) {
+    for_each_in_parallel(grid.nx, [&](int ix) {
         const double node_x = grid.node(ix);
         for (const std::size_t p : lists.items(ix)) {
             const double r = layer.radius[p], y = layer.y[p];

@@ -4,8 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include <tbb/parallel_for.h>
-
+#include "analyzer/fields/parallel.hpp"
 #include "analyzer/fields/row_lists.hpp"
 #include "analyzer/fields/sphere_box.hpp"
 #include "analyzer/fields/strip_sums.hpp"
@@ -69,14 +68,14 @@ void cut_sphere(const Layer& layer, const WindowStrips& strips, std::size_t p, c
 Map cell_volumes(const Layer& layer, const StripLattice& lattice) {
     const std::vector<Patch> patches = find_patches(layer, lattice);
     std::vector<double> volumes(patches.empty() ? 0 : patches.back().start + patches.back().size());
-    tbb::parallel_for(std::size_t{0}, layer.size(), [&](std::size_t p) {
+    for_each_in_parallel(layer.size(), [&](std::size_t p) {
         if (patches[p].size() > 0) cut_sphere(layer, lattice.strips, p, patches[p], &volumes[patches[p].start]);
     });
     std::vector<RowRange> ranges(patches.size());
     std::ranges::transform(patches, ranges.begin(), &Patch::x);
     const RowLists lists(ranges, lattice.nx);
     Map cells(0, lattice.nx, lattice.ny);
-    tbb::parallel_for(0, lattice.nx, [&](int i) {
+    for_each_in_parallel(lattice.nx, [&](int i) {
         for (const std::size_t p : lists.items(i)) {
             const Patch& patch = patches[p];
             const double* volume =

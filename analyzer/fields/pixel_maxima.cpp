@@ -7,9 +7,9 @@
 #include <tuple>
 #include <utility>
 
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
+#include "analyzer/fields/parallel.hpp"
 #include "analyzer/fields/pixel_strip.hpp"
 
 namespace recoat {
@@ -135,7 +135,7 @@ PixelMaximum place_of(const PixelTop& top) {
 std::vector<PixelMaximum> pixel_maxima(const PixelRaster& raster, double height, std::int64_t strip_rows) {
     if (strip_rows == 0) strip_rows = std::max(strip_pixels / raster.columns(), least_rows);
     std::vector<PixelStrip> strips(static_cast<std::size_t>((raster.rows() + strip_rows - 1) / strip_rows));
-    tbb::parallel_for(std::size_t{0}, strips.size(), [&](std::size_t s) {
+    for_each_in_parallel(strips.size(), [&](std::size_t s) {
         const std::int64_t begin = static_cast<std::int64_t>(s) * strip_rows;
         const std::int64_t end = std::min(begin + strip_rows, raster.rows());
         strips[s] = pixel_strip(pixel_distance(raster, begin, end), height, s > 0, end < raster.rows());

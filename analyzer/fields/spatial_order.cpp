@@ -7,7 +7,7 @@
 #include <numeric>
 #include <utility>
 
-#include <tbb/parallel_for.h>
+#include "analyzer/fields/parallel.hpp"
 
 namespace recoat {
 namespace {
@@ -41,7 +41,7 @@ private:
 template <class Value>
 std::vector<Value> gathered(const std::vector<Value>& values, const std::vector<std::size_t>& from) {
     std::vector<Value> result(from.size());
-    tbb::parallel_for(std::size_t{0}, from.size(), [&](std::size_t i) { result[i] = values[from[i]]; });
+    for_each_in_parallel(from.size(), [&](std::size_t i) { result[i] = values[from[i]]; });
     return result;
 }
 
@@ -78,7 +78,7 @@ ContactGraph SpatialOrder::restore(const ContactGraph& graph) const {
     std::vector<std::size_t> start(place_.size() + 1, 0);
     for (std::size_t p = 0; p < place_.size(); ++p) start[p + 1] = start[p] + graph.coordination_number(place_[p]);
     std::vector<std::size_t> neighbour(start.back());
-    tbb::parallel_for(std::size_t{0}, place_.size(), [&](std::size_t p) {
+    for_each_in_parallel(place_.size(), [&](std::size_t p) {
         const auto first = neighbour.begin() + static_cast<std::ptrdiff_t>(start[p]);
         const auto last = std::ranges::transform(graph.neighbours(place_[p]), first, [&](std::size_t other) {
                               return particle_[other];

@@ -10,8 +10,8 @@
 #include <CGAL/Spatial_sort_traits_adapter_2.h>
 #include <CGAL/property_map.h>
 #include <CGAL/spatial_sort.h>
-#include <tbb/parallel_for.h>
 
+#include "analyzer/fields/parallel.hpp"
 #include "analyzer/fields/plane_blocks.hpp"
 
 namespace recoat {
@@ -132,8 +132,7 @@ std::vector<Circle> tangent_circles(const TopView& view) {
     const double margin = farthest_from_centres(view) + largest.radius - smallest.radius;
     const std::vector<PlaneBlock> blocks = plane_blocks(view, margin);
     std::vector<std::vector<Circle>> parts(blocks.size());
-    tbb::parallel_for(std::size_t{0}, blocks.size(),
-                      [&](std::size_t b) { parts[b] = circles_of(blocks[b], view.period); });
+    for_each_in_parallel(blocks.size(), [&](std::size_t b) { parts[b] = circles_of(blocks[b], view.period); });
     std::vector<Circle> result;
     for (const std::vector<Circle>& part : parts) result.insert(result.end(), part.begin(), part.end());
     return result;

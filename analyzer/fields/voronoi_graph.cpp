@@ -11,9 +11,9 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
-#include <tbb/parallel_for.h>
 #include <tbb/parallel_sort.h>
 
+#include "analyzer/fields/parallel.hpp"
 #include "analyzer/fields/plane_blocks.hpp"
 
 namespace recoat {
@@ -197,7 +197,7 @@ VoronoiGraph voronoi_graph(const TopView& view) {
     const auto [first, last] = std::ranges::minmax(view.disks, {}, &Disk::x);
     const std::vector<PlaneBlock> blocks = plane_blocks(view, farthest_from_centres(view));
     std::vector<GraphPart> parts(blocks.size());
-    tbb::parallel_for(std::size_t{0}, blocks.size(), [&, low = first.x, high = last.x](std::size_t b) {
+    for_each_in_parallel(blocks.size(), [&, low = first.x, high = last.x](std::size_t b) {
         parts[b] = PartBuilder(view, blocks[b], low, high).run();
     });
     return joined(parts);

@@ -5,8 +5,7 @@
 #include <bit>
 #include <cmath>
 
-#include <tbb/parallel_for.h>
-
+#include "analyzer/fields/parallel.hpp"
 #include "analyzer/fields/row_lists.hpp"
 
 namespace recoat {
@@ -149,7 +148,7 @@ private:
 openvdb::MaskTree voxel_mask(const Layer& layer, int voxels_per_dp, int i_begin, int i_end) {
     const Slabs slabs(layer, voxels_per_dp, i_begin, i_end);
     std::vector<openvdb::MaskTree> trees(static_cast<std::size_t>(slabs.count()));
-    tbb::parallel_for(0, slabs.count(), [&](int s) { slabs.draw(s, trees[static_cast<std::size_t>(s)]); });
+    for_each_in_parallel(slabs.count(), [&](int s) { slabs.draw(s, trees[static_cast<std::size_t>(s)]); });
     openvdb::MaskTree whole;
     for (openvdb::MaskTree& tree : trees) whole.merge(tree, openvdb::MERGE_ACTIVE_STATES);
     return whole;
@@ -158,7 +157,7 @@ openvdb::MaskTree voxel_mask(const Layer& layer, int voxels_per_dp, int i_begin,
 void visit_voxel_slabs(const Layer& layer, int voxels_per_dp, int i_begin, int i_end,
                        const std::function<void(const openvdb::MaskTree&)>& visit) {
     const Slabs slabs(layer, voxels_per_dp, i_begin, i_end);
-    tbb::parallel_for(0, slabs.count(), [&](int s) {
+    for_each_in_parallel(slabs.count(), [&](int s) {
         openvdb::MaskTree tree;
         slabs.draw(s, tree);
         visit(tree);

@@ -4,8 +4,7 @@
 #include <limits>
 #include <numeric>
 
-#include <tbb/parallel_for.h>
-
+#include "analyzer/fields/parallel.hpp"
 #include "analyzer/fields/sphere_box.hpp"
 
 namespace recoat {
@@ -16,7 +15,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// Solid between the x ends of the region and two heights [d_p^3]; added up in the order of the file.
 double solid_between(const Layer& layer, double bottom, double top) {
     std::vector<double> volume(layer.size());
-    tbb::parallel_for(std::size_t{0}, layer.size(), [&](std::size_t i) {
+    for_each_in_parallel(layer.size(), [&](std::size_t i) {
         volume[i] = sphere_box_volume({layer.x[i], layer.y[i], layer.z[i]}, layer.radius[i], {0, -infinite, bottom},
                                       {layer.length, infinite, top});
     });

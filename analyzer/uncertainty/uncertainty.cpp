@@ -4,7 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include <tbb/parallel_for.h>
+#include "analyzer/fields/parallel.hpp"
 
 namespace recoat {
 namespace {
@@ -47,12 +47,12 @@ Uncertainty bootstrap(const Analysis& analysis, const AnalysisConfig& config) {
     const std::vector<Estimator> estimators = all_estimators(analysis, config);
     const std::vector<double> values = evaluate(estimators, ColumnWeights(columns, 1));
     std::vector<std::vector<double>> resampled(values.size(), std::vector<double>(config.bootstrap_resamples));
-    tbb::parallel_for(std::size_t{0}, config.bootstrap_resamples, [&](std::size_t b) {
+    for_each_in_parallel(config.bootstrap_resamples, [&](std::size_t b) {
         const std::vector<double> numbers = evaluate(estimators, result.bootstrap.weights(b));
         for (std::size_t k = 0; k < numbers.size(); ++k) resampled[k][b] = numbers[k];
     });
     std::vector<Interval> intervals(values.size());
-    tbb::parallel_for(std::size_t{0}, values.size(), [&](std::size_t k) { intervals[k] = interval_of(resampled[k]); });
+    for_each_in_parallel(values.size(), [&](std::size_t k) { intervals[k] = interval_of(resampled[k]); });
 
     std::size_t k = 0;
     for (const Estimator& estimator : estimators) {

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/one_copy.hpp"
 #include "solver/execution/ordered_sum.hpp"
 #include "solver/execution/resources.hpp"
 
@@ -168,11 +169,16 @@ private:
     void over_blocks(std::size_t n, const Body& body) const {
         const std::size_t count = blocks(n);
         if (threads_ == 1 || count < least_blocks) {
-            for (std::size_t b = 0; b < count; ++b) body(b, b * block_size, std::min(n, (b + 1) * block_size));
+            for (std::size_t b = 0; b < count; ++b) call_block(body, b, n);
             return;
         }
 #pragma omp parallel for schedule(static) num_threads(threads_)
-        for (std::size_t b = 0; b < count; ++b) body(b, b * block_size, std::min(n, (b + 1) * block_size));
+        for (std::size_t b = 0; b < count; ++b) call_block(body, b, n);
+    }
+
+    template <class Body>
+    RECOAT_ONE_COPY static void call_block(const Body& body, std::size_t b, std::size_t n) {
+        body(b, b * block_size, std::min(n, (b + 1) * block_size));
     }
 
     int threads_;

@@ -19,7 +19,8 @@ def layer(request, build, tmp_path_factory):
 
 def test_reports_have_the_same_bytes(layer, build, tmp_path):
     results = []
-    for threads in (1, 2, 2):
+    # Work is shared out differently in every run: once may agree by chance.
+    for threads in (1, 2, 2, 2, 2, 2, 2):
         report, tables = tmp_path / "out.json", tmp_path / "out.h5"
         command = [build / "analyzer/recoat-analyze", "metrics", layer, "--threads", str(threads), "--quiet", "--json", report, "--out", tables]
         for setting in ("d_p=50 um", "density=4430", "h_b=75 um", "x_range=[0, 549 dp]", "y_min=0", "y_period=40 dp", "bootstrap_resamples=50"):
@@ -28,4 +29,4 @@ def test_reports_have_the_same_bytes(layer, build, tmp_path):
         assert done.returncode == 0, done.stderr
         results.append((report.read_bytes(), tables.read_bytes()))
     assert len(results[0][0]) > 100_000
-    assert results[0] == results[1] == results[2]
+    assert all(result == results[0] for result in results)
