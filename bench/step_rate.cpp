@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <fstream>
 #include <map>
+#include <memory>
 #include <sstream>
 #include <string>
 
@@ -74,59 +75,75 @@ double coordination_number(const Engine& engine, std::size_t particles) {
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
+struct Options {
+    std::string path;
+    double bond = 0, length = 1e-3, width = 1e-3, time_step = 2e-8;
+    std::int64_t warm = 500, steps = 2000, tiles = 1;
+    Resources resources;
+};
+
+void add_options(CLI::App& app, Options& o) {
+    static const std::map<std::string, Backend> backends = {{"cpu", Backend::cpu}, {"cuda", Backend::cuda}};
+    app.add_option("bed", o.path, "CSV file: x,y,z,radius[,vx,vy,vz], SI units")->required();
+    app.add_option("--bond", o.bond, "Bond number");
+    app.add_option("--length", o.length, "distance of the end walls [m]");
+    app.add_option("--width", o.width, "period in y [m]");
+    app.add_option("--time-step", o.time_step, "[s]");
+    app.add_option("--warm", o.warm, "steps before the clock starts");
+    app.add_option("--steps", o.steps, "steps timed");
+    app.add_option("--tiles", o.tiles, "beds side by side along y");
+    app.add_option("--threads", o.resources.threads, "threads");
+    app.add_option("--backend", o.resources.backend, "cpu or cuda")->transform(CLI::CheckedTransformer(backends));
+    app.add_option("--device", o.resources.device, "number of the CUDA device");
+}
+
+std::unique_ptr<Engine> engine_for(const Options& o, const ParticleTable& bed) {
+    EngineSetup setup;
+    setup.model = paper_model(o.bond);
+    setup.gravity = {0, 0, -9.81};
+    setup.time_step = o.time_step;
+    setup.diameter = 5e-5;
+    setup.y_period = o.width * static_cast<double>(o.tiles);
+    setup.domain_lower = {-1, -1, -1};
+    setup.domain_upper = {1, 1, 1};
+    setup.resources = o.resources;
+    const auto plane = [](const char* name, Vec3 point, Vec3 normal) {
+        return Wall{name, WallKind::plane, point, normal, {}, {}, {}, true};
+    };
+    return make_engine(
+        setup, bed,
+        {plane("base", {}, {0, 0, 1}), plane("left", {}, {1, 0, 0}), plane("right", {o.length, 0, 0}, {-1, 0, 0})});
+}
+
+void measure(const Options& o) {
+    const ParticleTable bed = tiled(read_bed(o.path), o.tiles, o.width);
+    const auto engine = engine_for(o, bed);
+    engine->advance(o.warm);
+    const double start = seconds();
+    engine->advance(o.steps);
+    const double wall = seconds() - start;
+    // Looking at every contact of a large bed would take longer than the steps.
+    const double coordination = bed.size() <= 1'000'000 ? coordination_number(*engine, bed.size()) : NAN;
+    std::printf(
+        "{\"particles\": %zu, \"bond_number\": %g, \"backend\": \"%s\", \"threads\": %d, \"steps\": %lld, "
+        "\"seconds\": %.4f, \"particle_steps_per_second\": %.4g, \"coordination_number\": %s, "
+        "\"kinetic_energy\": %.4g}\n",
+        bed.size(), o.bond, name_of(o.resources.backend).c_str(), o.resources.threads, static_cast<long long>(o.steps),
+        wall, static_cast<double>(bed.size()) * static_cast<double>(o.steps) / wall,
+        (std::isnan(coordination) ? "null" : std::to_string(coordination)).c_str(), engine->kinetic_energy());
+}
+
 }  // namespace
 
 /// Particle-steps per second on a settled bed between two end walls on a base, periodic in y; the first steps are
 /// not timed.
 int main(int argc, char** argv) {
-    std::string path;
-    double bond = 0, length = 1e-3, width = 1e-3, time_step = 2e-8;
-    std::int64_t warm = 500, steps = 2000, tiles = 1;
-    Resources resources;
-    const std::map<std::string, Backend> backends = {{"cpu", Backend::cpu}, {"cuda", Backend::cuda}};
-    CLI::App app("Particle-steps per second on a settled bed");
-    app.add_option("bed", path, "CSV file: x,y,z,radius[,vx,vy,vz], SI units")->required();
-    app.add_option("--bond", bond, "Bond number");
-    app.add_option("--length", length, "distance of the end walls [m]");
-    app.add_option("--width", width, "period in y [m]");
-    app.add_option("--time-step", time_step, "[s]");
-    app.add_option("--warm", warm, "steps before the clock starts");
-    app.add_option("--steps", steps, "steps timed");
-    app.add_option("--tiles", tiles, "beds side by side along y");
-    app.add_option("--threads", resources.threads, "threads");
-    app.add_option("--backend", resources.backend, "cpu or cuda")->transform(CLI::CheckedTransformer(backends));
-    app.add_option("--device", resources.device, "number of the CUDA device");
-    CLI11_PARSE(app, argc, argv);
     return run_program("step-rate", [&] {
-        const ParticleTable bed = tiled(read_bed(path), tiles, width);
-        EngineSetup setup;
-        setup.model = paper_model(bond);
-        setup.gravity = {0, 0, -9.81};
-        setup.time_step = time_step;
-        setup.diameter = 5e-5;
-        setup.y_period = width * static_cast<double>(tiles);
-        setup.domain_lower = {-1, -1, -1};
-        setup.domain_upper = {1, 1, 1};
-        setup.resources = resources;
-        const auto plane = [](const char* name, Vec3 point, Vec3 normal) {
-            return Wall{name, WallKind::plane, point, normal, {}, {}, {}, true};
-        };
-        const auto engine = make_engine(
-            setup, bed,
-            {plane("base", {}, {0, 0, 1}), plane("left", {}, {1, 0, 0}), plane("right", {length, 0, 0}, {-1, 0, 0})});
-        engine->advance(warm);
-        const double start = seconds();
-        engine->advance(steps);
-        const double wall = seconds() - start;
-        // Looking at every contact of a large bed would take longer than the steps.
-        const double coordination = bed.size() <= 1'000'000 ? coordination_number(*engine, bed.size()) : NAN;
-        std::printf(
-            "{\"particles\": %zu, \"bond_number\": %g, \"backend\": \"%s\", \"threads\": %d, \"steps\": %lld, "
-            "\"seconds\": %.4f, "
-            "\"particle_steps_per_second\": %.4g, \"coordination_number\": %s, \"kinetic_energy\": %.4g}\n",
-            bed.size(), bond, name_of(resources.backend).c_str(), resources.threads, static_cast<long long>(steps),
-            wall, static_cast<double>(bed.size()) * static_cast<double>(steps) / wall,
-            (std::isnan(coordination) ? "null" : std::to_string(coordination)).c_str(), engine->kinetic_energy());
+        Options options;
+        CLI::App app("Particle-steps per second on a settled bed");
+        add_options(app, options);
+        CLI11_PARSE(app, argc, argv);
+        measure(options);
         return 0;
     });
 }
