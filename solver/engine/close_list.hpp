@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "solver/contact/model.hpp"
 #include "solver/engine/contacts.hpp"
 #include "solver/engine/far_list.hpp"
 
@@ -129,6 +130,15 @@ void list_incidence(Space& space, ContactArrays<Space>& c, std::size_t particles
         return i < 0 ? none : i;
     };
     space.group(2 * c.size(), particles, bucket, c.incidence_begin, c.incidence);
+}
+
+/// Fills in what a saved list leaves out because it follows from the rest: where contacts are found, room for a step.
+template <class Space>
+void complete_list(Space& space, ContactArrays<Space>& c, const ContactModel& model, std::size_t particles,
+                   std::size_t walls) {
+    c.resize_scratch(model.hamaker > 0, model.rolling_form == RollingForm::relative);
+    list_offsets(space, c, particles, walls);
+    list_incidence(space, c, particles);
 }
 
 /// Lists the pairs that can touch or attract in the coming steps, and hands the history over to them; energies that

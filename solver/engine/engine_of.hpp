@@ -197,7 +197,8 @@ private:
     mutable Space space_;
     StepPasses<Sizes, cohesive, relative_rolling> passes_;
     PairLists<Space> lists_;
-    mutable SnapshotOf<Space> s_, kept_;  ///< now, and some steps ago, with the same walls
+    mutable SnapshotOf<Space> s_;  ///< now
+    SnapshotOf<Space> kept_;       ///< some steps ago, with the same walls
     Array<WallAnchor> anchors_;
     Value<Space, StepControl> control_;
     mutable Snapshot host_;  ///< the copy that the host has of a device's snapshot

@@ -60,7 +60,7 @@ SimulationFault too_fast(Snapshot& s, const EngineSetup& setup, const Sizes& siz
     std::int64_t culprit = fastest(s, forces.pass, passes.speed_limit());
     if constexpr (cohesive) {
         space.run(forces);
-        if (std::isfinite(control.peak[static_cast<std::size_t>(Stage::forces)]))
+        if (std::isfinite(control.peak[static_cast<std::size_t>(StepStage::forces)]))
             passes.attract(s, memory, [&](const auto& impulses, const auto& motion) {
                 space.run(impulses);
                 culprit = fastest(s, motion.pass, passes.speed_limit());

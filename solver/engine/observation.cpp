@@ -72,9 +72,7 @@ std::vector<ContactState> ordered(std::vector<ContactState> contacts) {
 
 void complete(Snapshot& s, const EngineSetup& setup) {
     OpenMP space(setup.resources.threads);
-    s.contacts.resize_scratch(setup.model.hamaker > 0, setup.model.rolling_form == RollingForm::relative);
-    list_offsets(space, s.contacts, s.particles.size(), s.walls.now().size());
-    list_incidence(space, s.contacts, s.particles.size());
+    complete_list(space, s.contacts, setup.model, s.particles.size(), s.walls.now().size());
 }
 
 std::vector<ContactState> contacts_of(Snapshot s, const EngineSetup& setup) {

@@ -52,9 +52,7 @@ public:
     /// Fills in what a saved snapshot leaves out.
     void restore(Space& space, SnapshotOf<Space>& s) {
         far_.build(space, s.far_reference, skin(), setup_.y_min, setup_.y_period);
-        s.contacts.resize_scratch(setup_.model.hamaker > 0, setup_.model.rolling_form == RollingForm::relative);
-        list_offsets(space, s.contacts, s.particles.size(), s.walls.now().size());
-        list_incidence(space, s.contacts, s.particles.size());
+        complete_list(space, s.contacts, setup_.model, s.particles.size(), s.walls.now().size());
     }
 
 private:

@@ -17,7 +17,7 @@ enum class Halt : std::int32_t {
 };
 
 /// The parts of a step whose largest values decide whether it goes on.
-enum class Stage : std::int32_t { contacts, forces, attraction };
+enum class StepStage : std::int32_t { contacts, forces, attraction };
 
 /// What decides about the next step. It lies where the loops run, so that many steps need no look from the host.
 struct StepControl {
@@ -38,13 +38,13 @@ struct StepControl {
 struct StepGate {
     const StepControl* control;
     double overlap_limit;  ///< [m]
-    Stage stage;
+    StepStage stage;
 
     RECOAT_HD bool open() const {
         if (control->halt != Halt::none) return false;
-        if (stage == Stage::contacts) return true;
+        if (stage == StepStage::contacts) return true;
         if (control->peak[0] > overlap_limit) return false;
-        return stage == Stage::forces || std::isfinite(control->peak[1]);
+        return stage == StepStage::forces || std::isfinite(control->peak[1]);
     }
 };
 

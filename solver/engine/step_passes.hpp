@@ -39,7 +39,7 @@ public:
     [[nodiscard]] auto contacts(SnapshotOf<Space>& s, const StepMemory& memory, double ageing) const {
         const ParticleView p = s.particles.view();
         const ContactView c = s.contacts.view();
-        return over_contacts(s, memory, Stage::contacts, [&](const auto& partner) {
+        return over_contacts(s, memory, StepStage::contacts, [&](const auto& partner) {
             using Pass = ContactPass<std::decay_t<decltype(partner)>, cohesive, relative_rolling>;
             return Pass{partner, law_, p, c, setup_.time_step, ageing, 0, s.contacts.incidence_begin.data()};
         });
@@ -48,7 +48,7 @@ public:
     /// Attraction before the first step, as if it had been there before.
     template <class Space>
     [[nodiscard]] auto first_attraction(SnapshotOf<Space>& s, const StepMemory& memory) const {
-        return over_contacts(s, memory, Stage::contacts, [&](const auto& partner) {
+        return over_contacts(s, memory, StepStage::contacts, [&](const auto& partner) {
             using Pass = FirstAttractionPass<std::decay_t<decltype(partner)>>;
             return Pass{partner, attraction(), s.particles.view(), s.contacts.view(), 0};
         });
@@ -56,7 +56,7 @@ public:
 
     template <class Space>
     [[nodiscard]] auto forces(SnapshotOf<Space>& s, const StepMemory& memory) const {
-        return over_particles(s, memory, Stage::forces, particle_pass(s));
+        return over_particles(s, memory, StepStage::forces, particle_pass(s));
     }
 
     /// Calls f(impulses, motion): the loops of the attraction, for the scheme chosen.
@@ -65,7 +65,7 @@ public:
         std::visit(
             [&](const auto& impulse) {
                 using Impulse = std::decay_t<decltype(impulse)>;
-                const auto impulses = over_contacts(s, memory, Stage::attraction, [&](const auto& partner) {
+                const auto impulses = over_contacts(s, memory, StepStage::attraction, [&](const auto& partner) {
                     using Pass = AttractionPass<std::decay_t<decltype(partner)>, Impulse>;
                     return Pass{partner, impulse, s.particles.view(), s.contacts.view(), setup_.time_step, 0};
                 });
@@ -76,7 +76,7 @@ public:
                                                 setup_.time_step,
                                                 Impulse::half_step_positions ? 0.5 : 0.0,
                                                 speed_limit_ * speed_limit_};
-                f(impulses, over_particles(s, memory, Stage::attraction, motion));
+                f(impulses, over_particles(s, memory, StepStage::attraction, motion));
             },
             impulse_);
     }
@@ -109,16 +109,16 @@ private:
         return {s.contacts.incidence_begin.data(), s.contacts.incidence.data()};
     }
 
-    [[nodiscard]] StepGate gate(const StepMemory& memory, Stage stage) const {
+    [[nodiscard]] StepGate gate(const StepMemory& memory, StepStage stage) const {
         return {memory.control, overlap_limit_, stage};
     }
 
-    static double* peak(const StepMemory& memory, Stage stage) {
+    static double* peak(const StepMemory& memory, StepStage stage) {
         return memory.control->peak + static_cast<std::size_t>(stage);
     }
 
     template <class Space, class Make>
-    [[nodiscard]] auto over_contacts(SnapshotOf<Space>& s, const StepMemory& memory, Stage stage,
+    [[nodiscard]] auto over_contacts(SnapshotOf<Space>& s, const StepMemory& memory, StepStage stage,
                                      const Make& make) const {
         const ContactLayout layout{s.contacts.offsets.data(), s.particles.size(), s.walls.now().size(), memory.wall};
         const double radius_arm = setup_.model.lever_arm == LeverArm::radius ? 1 : 0;
@@ -127,7 +127,7 @@ private:
     }
 
     template <class Space, class Pass>
-    [[nodiscard]] auto over_particles(SnapshotOf<Space>& s, const StepMemory& memory, Stage stage,
+    [[nodiscard]] auto over_particles(SnapshotOf<Space>& s, const StepMemory& memory, StepStage stage,
                                       const Pass& pass) const {
         return ParticleLoop<Pass>{gate(memory, stage), peak(memory, stage), pass, s.particles.size()};
     }

@@ -1,27 +1,12 @@
-#include <zlib.h>
-
 #include "analyzer/readers/gzip.hpp"
 #include "tests/analyzer/reader_fixture.hpp"
+#include "tests/support/packed.hpp"
 
 namespace recoat {
 namespace {
 
 using testing::begins;
-
-/// One member, packed by zlib.
-std::string packed(const std::string& bytes) {
-    z_stream stream = {};
-    deflateInit2(&stream, Z_BEST_COMPRESSION, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-    std::string result(deflateBound(&stream, bytes.size()), '\0'), copy = bytes;
-    stream.next_in = reinterpret_cast<Bytef*>(copy.data());
-    stream.avail_in = static_cast<uInt>(copy.size());
-    stream.next_out = reinterpret_cast<Bytef*>(result.data());
-    stream.avail_out = static_cast<uInt>(result.size());
-    deflate(&stream, Z_FINISH);
-    result.resize(stream.total_out);
-    deflateEnd(&stream);
-    return result;
-}
+using testing::packed;
 
 class Gzip : public testing::ReaderTest {};
 

@@ -3,28 +3,9 @@
 #include <cstdint>
 #include <string>
 
-#include <zlib.h>
-
 #include "analyzer/readers/gzip.hpp"
 #include "tests/fuzz/properties.hpp"
-
-namespace {
-
-std::string packed(std::string_view bytes) {
-    z_stream stream = {};
-    deflateInit2(&stream, 1, Z_DEFLATED, 15 + 16, 8, Z_DEFAULT_STRATEGY);
-    std::string result(deflateBound(&stream, bytes.size()), '\0');
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(bytes.data()));
-    stream.avail_in = static_cast<uInt>(bytes.size());
-    stream.next_out = reinterpret_cast<Bytef*>(result.data());
-    stream.avail_out = static_cast<uInt>(result.size());
-    deflate(&stream, Z_FINISH);
-    result.resize(stream.total_out);
-    deflateEnd(&stream);
-    return result;
-}
-
-}  // namespace
+#include "tests/support/packed.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     using namespace recoat;
@@ -33,7 +14,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::must_read_or_refuse([&] { (void)unpack_gzip("\x1f\x8b" + std::string(bytes), "input"); });
     // The first byte says where one member ends and the next begins.
     const std::size_t cut = size == 0 ? 0 : data[0] % (size + 1);
-    const std::string members = packed(bytes.substr(0, cut)) + packed(bytes.substr(cut)) + std::string(cut % 3, '\0');
+    const std::string members =
+        testing::packed(bytes.substr(0, cut), 1) + testing::packed(bytes.substr(cut), 1) + std::string(cut % 3, '\0');
     fuzz::require(unpack_gzip(members, "input") == bytes, "packed bytes come back");
     return 0;
 }

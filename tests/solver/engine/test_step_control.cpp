@@ -16,20 +16,20 @@ StepControl running() {
 
 TEST(StepGate, ClosesBehindAFault) {
     StepControl control = running();
-    const auto open = [&](Stage stage) { return StepGate{&control, 0.25, stage}.open(); };
+    const auto open = [&](StepStage stage) { return StepGate{&control, 0.25, stage}.open(); };
     control.peak[0] = 0.25;
-    EXPECT_TRUE(open(Stage::contacts));
-    EXPECT_TRUE(open(Stage::forces));
-    EXPECT_TRUE(open(Stage::attraction));
+    EXPECT_TRUE(open(StepStage::contacts));
+    EXPECT_TRUE(open(StepStage::forces));
+    EXPECT_TRUE(open(StepStage::attraction));
     control.peak[1] = std::numeric_limits<double>::infinity();
-    EXPECT_TRUE(open(Stage::forces));
-    EXPECT_FALSE(open(Stage::attraction));
+    EXPECT_TRUE(open(StepStage::forces));
+    EXPECT_FALSE(open(StepStage::attraction));
     control.peak[0] = 0.26;
-    EXPECT_TRUE(open(Stage::contacts)) << "the stage that measures it";
-    EXPECT_FALSE(open(Stage::forces));
+    EXPECT_TRUE(open(StepStage::contacts)) << "the stage that measures it";
+    EXPECT_FALSE(open(StepStage::forces));
     control = running();
     control.halt = Halt::target;
-    EXPECT_FALSE(open(Stage::contacts));
+    EXPECT_FALSE(open(StepStage::contacts));
 }
 
 TEST(StepEnd, CountsTheStepAndItsWay) {
