@@ -10,7 +10,9 @@ import numpy as np
 from scipy.integrate import quad
 from scipy.optimize import brentq
 
-from impacts import Friction, damping, normal_impact, pair_impact, wall_impact
+from friction import Friction, damping
+from impacts import normal_impact, pair_impact, wall_impact
+from pull_off import pull_off_load
 
 GRAVITY = 9.81
 RADIUS, DENSITY, YOUNG, POISSON = 25e-6, 4430.0, 110e9, 0.3
@@ -19,6 +21,7 @@ NEAR, FAR = 1.65e-10, 1e-7  # limits of the attraction
 BONDS = (1, 5, 50, 200, 400)
 MASS = 4 / 3 * np.pi * RADIUS**3 * DENSITY
 PAIR, WALL = 0.5, 1.0  # reduced mass and radius over those of one sphere
+LARGE = 10 / 11  # reduced radius with a sphere of ten times the radius
 
 
 def stiffness(young, poisson, reduced_radius, rigid=False):
@@ -48,12 +51,19 @@ class Cohesive:
         far = max(s, NEAR)
         return self.force * (NEAR**2 * (1 / far - 1 / FAR) + (far - s))
 
+    @property
+    def stiffness(self):
+        return stiffness(YOUNG, POISSON, self.share * RADIUS)
+
+    def contact(self, entry):
+        """Speed at the end of the overlap, and its duration, after an impact that first touches at `entry`."""
+        length = (self.mass * entry**2 / self.stiffness) ** 0.4
+        out, duration, _ = normal_impact(damping(RESTITUTION), self.force / (self.stiffness * length**1.5))
+        return entry * out, duration * length / entry
+
     def excess(self, entry):
         """Square of the speed far away after an impact that first touches at the speed `entry`; < 0: captured."""
-        k = stiffness(YOUNG, POISSON, self.share * RADIUS)
-        length = (self.mass * entry**2 / k) ** 0.4
-        out = entry * normal_impact(damping(RESTITUTION), self.force / (k * length**1.5))[0]
-        return out**2 - 2 * self.well(0) / self.mass
+        return self.contact(entry)[0] ** 2 - 2 * self.well(0) / self.mass
 
     def rebound(self, speed):
         return np.sqrt(self.excess(np.sqrt(speed**2 + 2 * self.well(0) / self.mass)))
@@ -83,6 +93,9 @@ def restitution(table):
         table[f"restitution.{e}.duration"] = duration / elastic[1]
         table[f"restitution.{e}.overlap"] = overlap / elastic[2]
         table[f"restitution.{e}.clipped"] = normal_impact(damping(e), clip=True)[0]
+        table[f"restitution.{e}.needed"] = brentq(
+            lambda alpha, wanted=e: normal_impact(alpha, clip=True)[0] - wanted, damping(e), 3.0, rtol=1e-11
+        )
 
 
 def elastic_impacts(table):
@@ -109,28 +122,48 @@ def cohesion(table):
             case = Cohesive(bond, share)
             capture = case.capture()
             table[f"capture.{name}.{bond}"] = capture
-            table[f"equilibrium.{name}.{bond}"] = (case.force / stiffness(YOUNG, POISSON, share * RADIUS)) ** (2 / 3)
+            table[f"equilibrium.{name}.{bond}"] = (case.force / case.stiffness) ** (2 / 3)
             if bond in (5, 50, 400):
                 for factor in (1.05, 1.5, 2, 5):
                     table[f"rebound.{name}.{bond}.{factor}"] = case.rebound(factor * capture)
                 table[f"rebound.{name}.{bond}.fast"] = case.rebound(0.05)
+                table[f"touch.{name}.{bond}.duration"] = case.contact(0.05)[1]
+    for entry in (0.01, 0.05, 0.5):
+        out, duration = Cohesive(400, PAIR).contact(entry)
+        table[f"contact.{entry}.out"], table[f"contact.{entry}.duration"] = out, duration
     table["release.time"], table["release.speed"] = Cohesive(400, PAIR).release(3e-10)
     table["weight.overlap"] = (MASS * GRAVITY / stiffness(YOUNG, POISSON, RADIUS)) ** (2 / 3)
 
 
-def stop_distances(table):
-    """A sphere that slides, then rolls to rest under its weight and the attraction of the wall."""
+def pull_off(table):
+    """One sphere moves, its partner is held; the load rises to twice the attraction in 4 ms."""
+    for bond in (5, 50, 400):
+        for name, share in (("pair", PAIR), ("large", LARGE), ("wall", WALL)):
+            case = Cohesive(bond, share)
+            table[f"pull_off.{name}.{bond}"] = pull_off_load(
+                case.force / MASS, case.stiffness / MASS, NEAR, FAR, damping(RESTITUTION), 4e-3, 20 * NEAR
+            )
+
+
+def stop(table, name, load):
+    """Slides, then rolls to rest on a wall from 0.05 m/s under the force `load` per mass; ways in diameters."""
     speed, d = 0.05, 2 * RADIUS
-    for bond in (0, 1, 5, 50, 200, 400):
-        load = GRAVITY * (1 + 2 * bond)
-        slip_rate = load * (3.5 * SLIDING - 2.5 * ROLLING)  # surface speed lost per time while it slides
-        time = speed / slip_rate
-        slow = speed - SLIDING * load * time
-        brake = 5 / 7 * ROLLING * load
-        table[f"stop.{bond}.roll_start"] = (speed**2 - slow**2) / (2 * SLIDING * load) / d
-        table[f"stop.{bond}.distance"] = table[f"stop.{bond}.roll_start"] + slow**2 / (2 * brake) / d
-        table[f"stop.{bond}.time"] = time + slow / brake
-        table[f"stop.{bond}.pure_rolling"] = speed**2 / (2 * brake) / d
+    time = speed / (load * (3.5 * SLIDING - 2.5 * ROLLING))  # surface speed lost per time while it slides
+    slow = speed - SLIDING * load * time
+    brake = 5 / 7 * ROLLING * load
+    table[f"{name}.roll_start"] = (speed**2 - slow**2) / (2 * SLIDING * load) / d
+    table[f"{name}.distance"] = table[f"{name}.roll_start"] + slow**2 / (2 * brake) / d
+    table[f"{name}.slip_time"], table[f"{name}.time"] = time, time + slow / brake
+    table[f"{name}.pure_rolling"] = speed**2 / (2 * brake) / d
+
+
+def stop_distances(table):
+    for bond in (0, *BONDS):
+        stop(table, f"stop.{bond}", GRAVITY * (1 + 2 * bond))
+    for bond in BONDS:  # a wall with half the Hamaker constant holds as a particle does
+        stop(table, f"stop_half.{bond}", GRAVITY * (1 + bond))
+    for pull in (19, 99, 199):  # lifted by so many weights
+        stop(table, f"stop_lifted.{pull}", GRAVITY * (2 * 400 - pull))
 
 
 def oblique_walls(table):
@@ -142,15 +175,14 @@ def oblique_walls(table):
         table[f"oxide.{angle}.restitution"] = out / tangent
         table[f"oxide.{angle}.spin"] = spin * 3.9 * np.cos(np.radians(angle)) / 2.5e-3
         table[f"oxide.{angle}.rebound"] = np.degrees(np.arctan((out + spin) / 0.98))
-    steel = Friction(0.3, 0.3, 1.0)
-    for x in (0.6764, 1, 1.68, 2, 3, 4, 5, 6, 7, 10, 13):
-        out, spin = wall_impact(steel, 0.3 * x)
-        table[f"steel.{x}.recoil"], table[f"steel.{x}.spin"] = (out + spin) / 0.3, spin / 0.3
-    alloy = Friction(0.4, 0.33, 0.5)
-    # Between 1.65 and 1.85 stick and slip chatter at the end of the contact: no reference there.
-    for x in (0.26795, 0.57735, 1, 1.42815, 2.14451, 2.74748, 3.73205, 5.67128):
-        out, spin = wall_impact(alloy, 0.0, x)
-        table[f"alloy.{x}.recoil"] = (out + spin) / 0.5
+    for name, poisson in (("steel", 0.3), ("polyethylene", 0.4)):
+        for x in (0.6764, 1, 1.68, 2, 3, 4, 5, 6, 7, 10, 13):
+            out, spin = wall_impact(Friction(0.3, poisson, 1.0), 0.3 * x)
+            table[f"{name}.{x}.recoil"], table[f"{name}.{x}.spin"] = (out + spin) / 0.3, spin / 0.3
+    for name, poisson in (("alloy", 0.33), ("nylon", 0.4)):
+        for x in (0.26795, 0.57735, 1, 1.42815, 1.73205, 2.14451, 2.74748, 3.73205, 5.67128):
+            out, spin = wall_impact(Friction(0.4, poisson, 0.5), 0.0, x)
+            table[f"{name}.{x}.recoil"] = (out + spin) / 0.5
     for damped in (True, False):
         powder = Friction(SLIDING, POISSON, RESTITUTION, damped)
         for x in (0.1, 0.3, 0.5, 1, 2):
@@ -166,17 +198,20 @@ def oblique_pairs(table):
             normal = 0.1 * np.sqrt(1 - offset**2)
             length = (PAIR * MASS * normal**2 / stiffness(ratio * YOUNG, POISSON, PAIR * RADIUS)) ** 0.4
             friction = Friction(SLIDING, POISSON, RESTITUTION)
-            velocity, spin, time = pair_impact(friction, offset, 2 * RADIUS / length)
+            velocity, spin, time, momentum = pair_impact(friction, offset, 2 * RADIUS / length)
+            assert abs(momentum - 1) < 1e-9
             name = f"oblique.{ratio}.{offset}"
             table[f"{name}.x"], table[f"{name}.y"] = -0.5 * normal * velocity
             table[f"{name}.spin"] = spin * normal / (2 * RADIUS)
             table[f"{name}.duration"] = time * length / normal
+            momentum = pair_impact(friction, offset, 2 * RADIUS / length, radius_arm=True)[3]
+            table[f"{name}.radius_arm"] = momentum - 1  # relative change of the angular momentum
 
 
 def reference_table():
     """Every reference number by name."""
     table = {}
-    for fill in (restitution, elastic_impacts, cohesion, stop_distances, oblique_walls, oblique_pairs):
+    for fill in (restitution, elastic_impacts, cohesion, pull_off, stop_distances, oblique_walls, oblique_pairs):
         fill(table)
     return {name: float(f"{value:.10g}") for name, value in table.items()}
 

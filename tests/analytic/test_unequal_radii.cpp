@@ -1,9 +1,11 @@
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include <gtest/gtest.h>
 
 #include "tests/support/small_scene.hpp"
+#include "tests/support/verification.hpp"
 
 namespace recoat {
 namespace {
@@ -11,6 +13,8 @@ namespace {
 using testing::after_pair_impact;
 using testing::pair_rate;
 using testing::SmallScene;
+using testing::verify;
+using testing::verify_relative;
 namespace powder = testing::powder;
 
 constexpr double small = 15e-6, large = 40e-6;
@@ -34,7 +38,7 @@ TEST(UnequalRadii, restitution_is_the_same) {
         ContactModel model = without_rolling();
         model.restitution = e;
         const SmallScene scene = unequal_pair(model, 1e-8, 0);
-        EXPECT_NEAR(pair_rate(after_pair_impact(*scene.engine())) / 0.1, e, 1e-3);
+        verify("restitution, absolute", pair_rate(after_pair_impact(*scene.engine())) / 0.1 - e, 1e-3);
     }
 }
 
@@ -48,8 +52,8 @@ TEST(UnequalRadii, overlap_is_that_of_hertz) {
     };
     const auto engine = unequal_pair(model, 1e-8, 0).engine();
     after_pair_impact(*engine);
-    EXPECT_NEAR(engine->largest_overlap() * 2 * large / deepest(m * n / (m + n), small * large / (small + large), 0.1),
-                1, 1e-3);
+    verify_relative("overlap of a pair", engine->largest_overlap() * 2 * large,
+                    deepest(m * n / (m + n), small * large / (small + large), 0.1), 1e-3);
     for (const double radius : {small, large}) {
         SmallScene scene(model, 1e-8, 2 * large);
         scene.plane({0, 0, 0}, {0, 0, 1});
@@ -57,8 +61,8 @@ TEST(UnequalRadii, overlap_is_that_of_hertz) {
         scene.sphere({1, 0, 1}, {}, {}, 20e-6);
         const auto wall = scene.engine();
         testing::after_plane_impact(*wall);
-        EXPECT_NEAR(wall->largest_overlap() * 2 * large / deepest(sphere_mass(radius, powder::density), radius, 0.05),
-                    1, 1e-3);
+        verify_relative("overlap with a wall", wall->largest_overlap() * 2 * large,
+                        deepest(sphere_mass(radius, powder::density), radius, 0.05), 1e-3);
     }
 }
 
@@ -80,8 +84,9 @@ TEST(UnequalRadii, momenta_are_conserved) {
         };
         const auto before = momenta(scene.particles);
         const auto after = momenta(after_pair_impact(*scene.engine()));
-        EXPECT_LT(norm(after.first - before.first), 1e-13 * norm(before.first)) << bond;
-        EXPECT_LT(norm(after.second - before.second), (bond > 0 ? 1e-6 : 1e-11) * norm(before.second)) << bond;
+        verify("momentum", norm(after.first - before.first) / norm(before.first), 1e-13);
+        verify(bond > 0 ? "angular momentum, with attraction" : "angular momentum",
+               norm(after.second - before.second) / norm(before.second), bond > 0 ? 1e-6 : 1e-12);
     }
 }
 
@@ -105,13 +110,13 @@ TEST(UnequalRadii, agree_with_equal_radii_where_they_are_equal) {
             EXPECT_GT(a->largest_overlap(), 1e-4);
             const ParticleTable p = a->particles(), q = b->particles();
             for (std::size_t i = 0; i < 2; ++i) {
-                EXPECT_LT(norm(p.velocity[i] - q.velocity[i]), 1e-9) << bond;
-                EXPECT_LT(norm(p.angular_velocity[i] - q.angular_velocity[i]), 1e-4) << bond;
+                verify("velocity [m/s]", norm(p.velocity[i] - q.velocity[i]), 1e-9);
+                verify("spin [rad/s]", norm(p.angular_velocity[i] - q.angular_velocity[i]), 1e-4);
             }
         }
 }
 
-// In the manner of Chung & Ooi test 8: where it slides all the time, friction is mu times the normal impulse, and each
+// Where it slides all the time, friction is mu times the normal impulse, and each
 // sphere is turned by it at its own radius.
 TEST(UnequalRadii, sliding_impulse_is_shared_by_mass_and_radius) {
     ContactModel model = without_rolling();
@@ -122,12 +127,12 @@ TEST(UnequalRadii, sliding_impulse_is_shared_by_mass_and_radius) {
     const ParticleTable after = after_pair_impact(*scene.engine());
     const double m = sphere_mass(small, powder::density), n = sphere_mass(large, powder::density);
     const double impulse = m * n / (m + n) * 1.4 * 0.05, friction = 0.3 * impulse;
-    EXPECT_NEAR((0.05 - after.velocity[0].x) / (impulse / m), 1, 5e-3);
-    EXPECT_NEAR(after.velocity[1].x / (impulse / n), 1, 5e-3);
-    EXPECT_NEAR((0.12 - after.velocity[0].y) / (friction / m), 1, 5e-3);
-    EXPECT_NEAR(after.velocity[1].y / (friction / n), 1, 5e-3);
-    EXPECT_NEAR(after.angular_velocity[0].z / (-friction * small / sphere_inertia(m, small)), 1, 5e-3);
-    EXPECT_NEAR(after.angular_velocity[1].z / (-friction * large / sphere_inertia(n, large)), 1, 5e-3);
+    verify_relative("normal, first", (0.05 - after.velocity[0].x) * m, impulse, 5e-3);
+    verify_relative("normal, second", after.velocity[1].x * n, impulse, 5e-3);
+    verify_relative("tangential, first", (0.12 - after.velocity[0].y) * m, friction, 5e-3);
+    verify_relative("tangential, second", after.velocity[1].y * n, friction, 5e-3);
+    verify_relative("spin, first", after.angular_velocity[0].z * sphere_inertia(m, small) / small, -friction, 5e-3);
+    verify_relative("spin, second", after.angular_velocity[1].z * sphere_inertia(n, large) / large, -friction, 5e-3);
 }
 
 }  // namespace

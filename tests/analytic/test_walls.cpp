@@ -3,11 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/small_scene.hpp"
+#include "tests/support/verification.hpp"
 
 namespace recoat {
 namespace {
 
 using testing::SmallScene;
+using testing::verify;
+using testing::verify_relative;
 namespace powder = testing::powder;
 
 constexpr double speed = 0.05, time_step = 2e-8, far_away = 1e-3;
@@ -45,7 +48,7 @@ TEST(Walls, face_edge_and_corner_of_a_box_give_the_same_restitution) {
     };
     for (const Case& c : cases) {
         const Vec3 after = rebound(towards(powder::model(), lower, upper, c.target, c.direction, {}));
-        EXPECT_NEAR(norm(after + 0.4 * speed * c.direction), 0, 1e-3 * speed);
+        verify("velocity after the impact, over that before", norm(after + 0.4 * speed * c.direction) / speed, 1e-3);
     }
 }
 
@@ -61,7 +64,7 @@ TEST(Walls, that_move_give_what_walls_at_rest_give) {
         still.particles.velocity[0] = speed * aim;
         moving.particles.velocity[0] = speed * aim + frame;
         const Vec3 a = rebound(still), b = rebound(moving);
-        EXPECT_NEAR(norm(a - b), 0, 1e-8 * speed);
+        verify("velocity after the impact, over that before", norm(a - b) / speed, 1e-8);
         EXPECT_LT(a.x, 0);
     }
 }
@@ -73,11 +76,12 @@ TEST(Walls, that_run_into_a_sphere_throw_it_ahead) {
     scene.sphere({powder::radius + 5e-9, 0, 0.5 * far_away});
     const auto engine = scene.engine();
     engine->advance(1000);
-    EXPECT_NEAR(engine->particles().velocity[0].x / speed, 1.4, 1e-3);
+    verify_relative("speed over 1.4 v_b", engine->particles().velocity[0].x / speed, 1.4, 1e-3);
     const EnergyLedger ledger = engine->ledger();
     // Impulse (1 + e) m v_b at the speed v_b.
-    EXPECT_NEAR(ledger.wall_work / (1.4 * powder::mass * speed * speed), 1, 1e-3);
-    EXPECT_NEAR(ledger.stored() + ledger.dissipated() - ledger.wall_work, 0, 1e-3 * ledger.wall_work);
+    verify_relative("work of the wall", ledger.wall_work, 1.4 * powder::mass * speed * speed, 1e-3);
+    verify("energy gained and lost over the work", (ledger.stored() + ledger.dissipated()) / ledger.wall_work - 1,
+           1e-3);
 }
 
 // A wall that stops, is set going again and is taken away acts at the place where it is.
@@ -87,13 +91,13 @@ TEST(Walls, can_be_driven_and_taken_away) {
     scene.sphere({0, 0, powder::radius + 1e-5});
     const auto engine = scene.engine();
     engine->advance(1000);
-    EXPECT_NEAR(engine->walls().at(0).point.z, -1000 * time_step, 1e-18);
+    verify("place of the wall [m]", engine->walls().at(0).point.z + 1000 * time_step, 1e-18);
     engine->set_wall_velocity(0, {0, 0, speed});
     engine->advance(30000);
     EXPECT_NEAR(engine->walls().at(0).point.z, -1000 * time_step + 30000 * time_step * speed, 1e-15);
     EXPECT_EQ(engine->particles().velocity[0], (Vec3{}));
     engine->advance(1000);
-    EXPECT_NEAR(engine->particles().velocity[0].z / speed, 1.4, 1e-3);
+    verify_relative("speed over 1.4 v", engine->particles().velocity[0].z / speed, 1.4, 1e-3);
     engine->remove_wall(0);
     EXPECT_TRUE(engine->contacts().empty());
     EXPECT_FALSE(engine->walls().at(0).active);
