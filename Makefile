@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench static bench-analyzer stress fuzz clean faults
+.PHONY: setup programs build reproduce test lint bench static bench-analyzer stress fuzz clean faults verification
 
 setup:
 	@./setup.sh
@@ -22,6 +22,10 @@ reproduce: programs
 
 test: build
 	@ctest --preset $(PRESET) --label-exclude slow --parallel $(CORES) && pytest -q -m "not slow" tests && tests/lint.sh
+
+# Runs every verification case and writes the measured errors into docs/verification.md.
+verification: build
+	@python tests/analytic/verification.py $(RECOAT_BUILD)
 
 lint: build
 	@tests/lint.sh

@@ -37,6 +37,11 @@ class Friction:
         """Displacement at which sliding starts, over the overlap."""
         return self.coefficient * (2 - self.poisson) / (2 - 2 * self.poisson)
 
+    @property
+    def ratio(self):
+        """beta of the restitution."""
+        return damping(self.restitution) / np.sqrt(5)
+
     def limit(self, x):
         """Resistance while it slides."""
         return self.coefficient * max(x, 0.0) ** 1.5
@@ -47,7 +52,7 @@ class Friction:
         share = min(abs(y) / (self.slip * x), 1.0) if x > 0 else 1.0
         # Mindlin: the tangential stiffness is 2 (1-nu)/(2-nu) times the normal one, 3/2 k sqrt(d).
         stiffness = 3 * (1 - self.poisson) / (2 - self.poisson) * np.sqrt(x)
-        ratio = damping(self.restitution) / np.sqrt(5) if self.tangential_damping else 0.0
+        ratio = self.ratio if self.tangential_damping else 0.0
         dashpot = 2 * np.sqrt(5 / 6) * ratio * np.sqrt(stiffness)
         return np.clip(np.sign(y) * limit * (1 - (1 - share) ** 1.5) + dashpot * v, -limit, limit)
 

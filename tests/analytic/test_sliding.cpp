@@ -38,17 +38,21 @@ void verify_stop(const ContactModel& model, double bond, const std::string& name
 // docs/physics.md section 5.4: sliding, then rolling to rest.
 TEST(Sliding, then_rolling_to_rest_under_weight_alone) { verify_stop(powder::model(), 0, "stop.0", 1e-3, 20); }
 
-class SlidingStop : public ::testing::TestWithParam<int> {};
+class SlidingStop : public ::testing::TestWithParam<int> {
+protected:
+    /// The long way of Bo 1 is made at five times the step.
+    static double time_step() { return GetParam() == 1 ? 1e-7 : 2e-8; }
+};
 
 TEST_P(SlidingStop, under_attraction) {
     const std::string bond = std::to_string(GetParam());
-    verify_stop(powder::model(0.001, GetParam()), GetParam(), "stop." + bond, 1e-3);
+    verify_stop(powder::model(0.001, GetParam()), GetParam(), "stop." + bond, 1e-3, 1, time_step());
 }
 
 // Section 5.4, second column: half the Hamaker constant makes the wall hold with Bo weights, as a particle does.
 TEST_P(SlidingStop, on_a_wall_that_holds_as_a_particle_does) {
     const std::string bond = std::to_string(GetParam());
-    verify_stop(powder::model(0.001, 0.5 * GetParam()), 0.5 * GetParam(), "stop_half." + bond, 1e-3);
+    verify_stop(powder::model(0.001, 0.5 * GetParam()), 0.5 * GetParam(), "stop_half." + bond, 1e-3, 1, time_step());
 }
 
 INSTANTIATE_TEST_SUITE_P(BondNumber, SlidingStop, ::testing::Values(1, 5, 50, 200, 400),

@@ -3,12 +3,14 @@
 #include "solver/contact/coefficients.hpp"
 #include "solver/contact/material.hpp"
 #include "tests/support/paper_model.hpp"
+#include "tests/support/verification.hpp"
 
 namespace recoat {
 namespace {
 
 using testing::paper_model;
 using testing::paper_radius;
+using testing::verify_relative;
 
 void expect_relative(double value, double expected, double tolerance) {
     EXPECT_NEAR(value, expected, tolerance * std::fabs(expected));
@@ -40,7 +42,7 @@ TEST(Material, DampingOfTheRestitutionTable) {
     const double table[][2] = {{0.1, 1.3218628408}, {0.2, 1.0195347712}, {0.4, 0.6260945467},
                                {0.6, 0.3588733623}, {0.8, 0.1584260875}, {0.9, 0.0749495307}};
     for (const auto& [restitution, alpha] : table)
-        expect_relative(std::sqrt(5.0) * damping_coefficient(restitution), alpha, 1e-9);
+        verify_relative("sqrt(5) beta", std::sqrt(5.0) * damping_coefficient(restitution), alpha, 1e-9);
     EXPECT_EQ(damping_coefficient(1), 0);
 }
 
@@ -57,9 +59,9 @@ TEST(Material, HamakerConstantsOfTheBondNumbers) {
         {200, 7.433965e-21, 5.688678e-7, 1.137736e-6},  {400, 1.486793e-20, 1.137736e-6, 2.275471e-6}};
     for (const Strength& row : table) {
         const double hamaker = hamaker_from_bond(row.bond, paper_radius, 4430, 9.81, 1.65e-10);
-        expect_relative(hamaker, row.hamaker, 5e-7);
-        expect_relative(pull_off_force(hamaker, 0.5 * paper_radius, 1.65e-10), row.pair, 5e-7);
-        expect_relative(pull_off_force(hamaker, paper_radius, 1.65e-10), row.wall, 5e-7);
+        verify_relative("Hamaker constant", hamaker, row.hamaker, 5e-7);
+        verify_relative("force of a pair", pull_off_force(hamaker, 0.5 * paper_radius, 1.65e-10), row.pair, 5e-7);
+        verify_relative("force of a wall", pull_off_force(hamaker, paper_radius, 1.65e-10), row.wall, 5e-7);
         expect_relative(bond_from_hamaker(hamaker, paper_radius, 4430, 9.81, 1.65e-10), row.bond, 1e-14);
     }
 }

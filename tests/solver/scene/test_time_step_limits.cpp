@@ -2,12 +2,15 @@
 
 #include "solver/scene/time_step_limits.hpp"
 #include "tests/support/scene_text.hpp"
+#include "tests/support/verification.hpp"
 
 namespace recoat {
 namespace {
 
 using testing::scene_of;
 using testing::spread_text;
+using testing::verify;
+using testing::verify_relative;
 
 double limit_of(const Scene& scene, const std::string& name) {
     for (const StepLimit& limit : time_step_limits(scene)) {
@@ -28,14 +31,15 @@ class TimeStepLimits : public ::testing::TestWithParam<Row> {};
 TEST_P(TimeStepLimits, AgreeWithTheTable) {
     const Row row = GetParam();
     const Scene scene = scene_of(spread_text, {std::string("stiffness_ratio=") + row.ratio});
-    EXPECT_NEAR(limit_of(scene, "Rayleigh time") / row.rayleigh, 1, 2e-5);
-    EXPECT_NEAR(contact_time(scene, 0.01) / row.time_001, 1, 2e-4);
-    EXPECT_NEAR(limit_of(scene, "contact time at 0.05 m/s") / row.time_005, 1, 2e-4);
-    EXPECT_NEAR(limit_of(scene, "contact time at 0.5 m/s") / row.time_05, 1, 4e-4);
-    EXPECT_NEAR(largest_impact_overlap(scene, 0.05) / row.overlap, 1, 4.2e-3);
+    verify_relative("Rayleigh time", limit_of(scene, "Rayleigh time"), row.rayleigh, 2e-5);
+    verify_relative("contact time at 0.01 m/s", contact_time(scene, 0.01), row.time_001, 2e-4);
+    verify_relative("contact time at 0.05 m/s", limit_of(scene, "contact time at 0.05 m/s"), row.time_005, 2e-4);
+    verify_relative("contact time at 0.5 m/s", limit_of(scene, "contact time at 0.5 m/s"), row.time_05, 4e-4);
+    verify_relative("greatest overlap at 0.05 m/s", largest_impact_overlap(scene, 0.05), row.overlap, 4.2e-3);
     // printed as frequency times 2e-8 s, to three decimals
-    EXPECT_NEAR(2 / limit_of(scene, "normal contact frequency") * 2e-8, row.normal, 6e-4);
-    EXPECT_NEAR(2 / limit_of(scene, "tangential contact frequency") * 2e-8, row.tangential, 6e-4);
+    verify("normal frequency times 2e-8 s", 4e-8 / limit_of(scene, "normal contact frequency") - row.normal, 6e-4);
+    verify("tangential frequency times 2e-8 s", 4e-8 / limit_of(scene, "tangential contact frequency") - row.tangential,
+           6e-4);
 }
 
 INSTANTIATE_TEST_SUITE_P(StiffnessRatios, TimeStepLimits,
