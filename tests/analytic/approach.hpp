@@ -67,11 +67,14 @@ private:
     }
 };
 
+/// Phases of a step that flights under attraction are made for: a quarter of `phases` on a device.
+inline int flights(int phases) { return on_device() ? std::max(2, phases / 4) : phases; }
+
 /// Relative errors of the capture velocity of the Bond number over the phases. It is looked for within `width` of
 /// `guess` times the reference.
 inline Errors capture_errors(const Approach& approach, int bond, int phases, double width, double guess = 1) {
     const double expected = reference("capture." + approach.kind() + "." + std::to_string(bond));
-    return over_phases(phases,
+    return over_phases(flights(phases),
                        [&](double phase) { return approach.capture(guess * expected, phase, width) / expected - 1; });
 }
 

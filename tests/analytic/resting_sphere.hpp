@@ -25,6 +25,9 @@ inline SmallScene resting_sphere(const ContactModel& model, double hold, double 
 /// The attraction of a wall at the Bond number `bond` of a pair [N].
 inline double wall_hold(double bond) { return 2 * bond * powder::weight; }
 
+/// Step for ways to rest of seconds' worth of steps: that of the paper, or five times as long on a device [s].
+inline double step_of_long_ways() { return on_device() ? 1e-7 : 2e-8; }
+
 /// How a sphere came to rest; ways in diameters, times in seconds.
 struct Stop {
     double roll_start = 0, slip_time = 0;  ///< until it rolls without sliding

@@ -32,7 +32,7 @@ TEST_P(CohesiveRebound, is_that_of_the_reference) {
         for (const Case& c : cases) {
             const double speed = c.name == "fast" ? 0.05 : std::stod(c.name) * reference("capture." + which);
             const double expected = reference("rebound." + which + "." + c.name);
-            const Errors found = over_phases(16, [&](double phase) {
+            const Errors found = over_phases(testing::flights(16), [&](double phase) {
                 return approach.rebound(speed, phase, approach.model.cut_off) / expected - 1;
             });
             const std::string from = c.name == "fast" ? "from 0.05 m/s" : "from " + c.name + " v_cap";

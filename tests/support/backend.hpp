@@ -13,4 +13,7 @@ inline Resources test_resources() {
     return {wanted != nullptr && std::string(wanted) == "cuda" ? Backend::cuda : Backend::cpu, 1, 0};
 }
 
+/// Whether that is a device, where each of the few particles' steps costs launches: long series are shortened there.
+inline bool on_device() { return test_resources().backend == Backend::cuda; }
+
 }  // namespace recoat::testing
