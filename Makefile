@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench static bench-analyzer stress fuzz clean faults verification
+.PHONY: setup programs build reproduce test lint bench static bench-analyzer stress fuzz sanitize clean faults verification
 
 setup:
 	@./setup.sh
@@ -53,6 +53,13 @@ fuzz:
 	@RECOAT_FUZZ=1 ./setup.sh
 	@cmake --preset fuzz --log-level=WARNING && cmake --build --preset fuzz --parallel $(CORES)
 	@tests/fuzz/run.sh build/fuzz $(SECONDS)
+
+# Every night: units and physics with clang's sanitizers, first that of addresses and undefined behaviour, then that of
+# threads, and that they see errors made on purpose (docs/stability.md).
+sanitize:
+	@RECOAT_SANITIZE=1 ./setup.sh
+	@tests/sanitizers/build_tbb.sh build/sanitized-tbb
+	@tests/sanitizers/run.sh $(CORES)
 
 # Runs that are killed, damaged or out of space (docs/stability.md).
 ROUNDS ?= 300

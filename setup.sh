@@ -13,9 +13,13 @@ packages=(
     libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libxrender1 # off-screen rendering of the layer
 )
 
-# Only for `make fuzz`.
-if [ -n "${RECOAT_FUZZ:-}" ]; then
+# Only for `make fuzz` and `make sanitize`.
+if [ -n "${RECOAT_FUZZ:-}${RECOAT_SANITIZE:-}" ]; then
     packages+=(clang libclang-rt-dev)
+fi
+# Only for `make sanitize`: OpenMP of clang, and what unpacks a source package.
+if [ -n "${RECOAT_SANITIZE:-}" ]; then
+    packages+=(libomp-dev dpkg-dev)
 fi
 
 installed() { dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p'; }

@@ -1,0 +1,32 @@
+# Compiles clang's sanitizers into everything of ours: RECOAT_SANITIZE=address or thread (docs/stability.md).
+if(NOT CMAKE_CXX_COMPILER_ID MATCHES Clang)
+    message(FATAL_ERROR "RECOAT_SANITIZE needs clang: use the preset asan or tsan, as `make sanitize` does")
+endif()
+
+if(RECOAT_SANITIZE STREQUAL "address")
+    # Beyond `undefined`: these two are defined in IEEE arithmetic or by the machine, but nothing here means to do them.
+    set(sanitizers -fsanitize=address,undefined,float-divide-by-zero,float-cast-overflow)
+    # Accesses behind the end of a vector that has spare capacity are seen as well.
+    target_compile_definitions(recoat_options INTERFACE $<${cxx}:_GLIBCXX_SANITIZE_VECTOR>)
+elseif(RECOAT_SANITIZE STREQUAL "thread")
+    set(sanitizers -fsanitize=thread)
+    # Accesses of more than 16 bytes, and gathers, are passed over by this sanitizer: no vector loops, forced ones included.
+    target_compile_options(recoat_options INTERFACE
+        "$<${cxx}:-fno-slp-vectorize;SHELL:-mllvm -force-vector-width=1;SHELL:-mllvm -force-vector-interleave=1>")
+    if(NOT EXISTS ${TBB_DIR}/TBBConfig.cmake)
+        message(FATAL_ERROR "RECOAT_SANITIZE=thread needs a oneTBB that tells the sanitizer which of its threads waits "
+                            "for which; there is none in TBB_DIR (${TBB_DIR}): call tests/sanitizers/build_tbb.sh first")
+    endif()
+else()
+    message(FATAL_ERROR "RECOAT_SANITIZE is ${RECOAT_SANITIZE}; it can be address, thread or OFF")
+endif()
+
+# With checks in it a loop need not become a vector loop.
+target_compile_options(recoat_options INTERFACE
+    "$<${cxx}:${sanitizers};-fno-sanitize-recover=all;-fno-omit-frame-pointer;-Wno-pass-failed>")
+target_compile_definitions(recoat_options INTERFACE $<${cxx}:_GLIBCXX_ASSERTIONS>)
+target_link_options(recoat_options INTERFACE ${sanitizers})
+
+# In every program: how the sanitizers behave where the environment does not say it, also in programs started by others.
+add_library(recoat_sanitizer_defaults OBJECT common/sanitizer_defaults.cpp)
+target_link_libraries(recoat_options INTERFACE $<TARGET_OBJECTS:recoat_sanitizer_defaults>)

@@ -1,0 +1,17 @@
+// What the runtimes of clang's sanitizers ask for at the start of a program. The environment (ASAN_OPTIONS, ...) goes
+// before it.
+
+extern "C" {
+
+const char* __asan_default_options() {
+    return "detect_leaks=1:detect_stack_use_after_return=1:check_initialization_order=1:strict_init_order=1:"
+           "strict_string_checks=1";
+}
+
+const char* __ubsan_default_options() { return "print_stacktrace=1"; }
+
+/// Archer, which tells the sanitizer what the barriers of OpenMP order, asks for the last of them.
+const char* __tsan_default_options() {
+    return "halt_on_error=1:second_deadlock_stack=1:history_size=4:ignore_noninstrumented_modules=1";
+}
+}

@@ -1,0 +1,75 @@
+#include <climits>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+#include "tests/sanitizers/expect_finding.hpp"
+
+// Errors made on purpose: a clean run of all other tests says something only if these are seen.
+// Values pass through `opaque`, so that the compiler can neither foresee the error nor leave it out.
+
+namespace {
+
+using recoat::testing::expect_finding;
+
+template <class T>
+T opaque(T value) {
+    asm volatile("" : "+r"(value) : : "memory");
+    return value;
+}
+
+int after_the_end() {
+    std::vector<int> values(8);
+    return opaque(values.data())[opaque(8)];
+}
+
+int behind_size_of_vector() {
+    std::vector<int> values;
+    values.reserve(8);
+    values.resize(4);
+    return opaque(values.data())[opaque(5)];
+}
+
+int after_free() {
+    auto* values = new std::vector<int>(8);
+    const int* const place = opaque(values->data());
+    delete values;
+    return *opaque(place);
+}
+
+[[gnu::noinline]] int* local_place() {
+    int value = opaque(1);
+    return opaque(&value);
+}
+
+void leak() {
+    for (int k = 0; k < 100; ++k) opaque(std::malloc(100));
+}
+
+TEST(Planted, ReadBehindTheEnd) { expect_finding(after_the_end, "heap-buffer-overflow"); }
+TEST(Planted, ReadBehindTheSizeOfAVector) { expect_finding(behind_size_of_vector, "container-overflow"); }
+TEST(Planted, UseAfterFree) { expect_finding(after_free, "heap-use-after-free"); }
+TEST(Planted, UseAfterReturn) {
+    expect_finding([] { return opaque(*local_place()); }, "stack-use-after-return");
+}
+TEST(Planted, Leak) { expect_finding(leak, "detected memory leaks"); }
+
+TEST(Planted, SignedOverflow) {
+    expect_finding([] { return opaque(opaque(INT_MAX) + 1); }, "signed integer overflow");
+}
+TEST(Planted, ShiftTooFar) {
+    expect_finding([] { return opaque(1 << opaque(40)); }, "shift exponent");
+}
+TEST(Planted, NumberTooLargeForAnInteger) {
+    expect_finding([] { return opaque(static_cast<int>(opaque(1e30))); }, "outside the range of representable values");
+}
+TEST(Planted, DivisionByZero) {
+    expect_finding([] { return opaque(1.0 / opaque(0.0)); }, "division by zero");
+}
+TEST(Planted, NullReference) {
+    expect_finding([] { return opaque(opaque<std::string*>(nullptr)->size()); }, "null pointer");
+}
+
+}  // namespace
