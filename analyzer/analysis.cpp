@@ -55,7 +55,7 @@ Analysis analyse(Layer layer, const AnalysisConfig& config) {
     result.coordination = coordination_metrics(sorted, contacts);
     result.cluster_sizes = cluster_size_metrics(sorted, clusters);
     result.orientation = orientation_metrics(sorted, clusters, config.angle_bin, config.bin_tol);
-    result.contacts = order.restore(contacts);
+    result.coordination_numbers = order.coordination_numbers(contacts);
     result.clusters = order.restore(clusters);
     result.vertical = vertical_metrics(sorted, config.z_bin, config.bin_tol);
     result.packing = packing_maps(sorted, config);

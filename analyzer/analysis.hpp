@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -42,7 +43,7 @@ struct VoxelMetrics {
 /// Everything that is measured of a layer. Lengths in d_p unless a name says otherwise.
 struct Analysis {
     Layer layer;
-    ContactGraph contacts;
+    std::vector<std::uint32_t> coordination_numbers;  ///< of the particles
     Clusters clusters;
     CoordinationMetrics coordination;
     ClusterSizeMetrics cluster_sizes;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/commands/commands.hpp"
+#include "analyzer/freed_memory.hpp"
 #include "common/error.hpp"
 #include "common/version.hpp"
 
@@ -30,5 +31,6 @@ int parse_and_run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    recoat::keep_freed_memory();
     return recoat::run_program("recoat-analyze", [&] { return parse_and_run(argc, argv); });
 }

@@ -15,6 +15,7 @@
 #include "analyzer/analysis.hpp"
 #include "analyzer/fields/height_map.hpp"
 #include "analyzer/fields/spatial_order.hpp"
+#include "analyzer/freed_memory.hpp"
 #include "analyzer/readers/reader.hpp"
 #include "common/error.hpp"
 
@@ -62,7 +63,7 @@ void time_exact(Clock& clock, const Layer& unsorted, const AnalysisConfig& confi
     const ContactGraph graph = clock.time("contacts", [&] { return find_contacts(layer, config); });
     const Clusters clusters = clock.time("clusters", [&] { return find_clusters(layer, graph); });
     clock.time("order of the file", [&] {
-        static_cast<void>(order.restore(graph));
+        static_cast<void>(order.coordination_numbers(graph));
         return order.restore(clusters);
     });
     clock.time("statistics", [&] {
@@ -95,6 +96,7 @@ void time_all(Clock& clock, const Layer& unsorted, AnalysisConfig config) {
 
 /// Times of the parts of an analysis, without start-up and reading, as one JSON object.
 int main(int argc, char** argv) {
+    keep_freed_memory();
     std::string file, configuration;
     std::vector<std::string> settings;
     int threads = 0, repeats = 5;

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
 
-#include <tbb/parallel_sort.h>
+#include "analyzer/fields/sort_in_pieces.hpp"
 
 namespace recoat {
 namespace {
@@ -36,8 +37,8 @@ std::vector<std::size_t> first_coincident(std::span<const PlanePoint> points, do
     };
     std::vector<Place> places(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) places[i] = {points[i].x, i};
-    tbb::parallel_sort(places.begin(), places.end(),
-                       [](const Place& a, const Place& b) { return a.x != b.x ? a.x < b.x : a.index < b.index; });
+    sort_in_pieces(places, std::mem_fn(&Place::x),
+                   [](const Place& a, const Place& b) { return a.x != b.x ? a.x < b.x : a.index < b.index; });
     Groups groups(points.size());
     const auto join_if_near = [&](std::size_t a, std::size_t b, double shift) {
         if (std::abs(points[a].x - points[b].x) <= tolerance &&

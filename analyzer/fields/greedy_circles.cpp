@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <numeric>
 #include <span>
+
 namespace recoat {
 namespace {
 
@@ -17,18 +18,17 @@ struct Ranked {
     std::size_t rank = 0;
 };
 
-/// Circles with radii within a factor of two, sorted by cells no smaller than the reach of the largest.
+/// Circles with radii within a factor of two, sorted by cells: about one circle in each.
 class SizeClass {
 public:
-    SizeClass(const std::vector<Circle>& circles, std::size_t begin, std::size_t end, double period, double reach)
-        : first_slot_(begin) {
+    SizeClass(const std::vector<Circle>& circles, std::size_t begin, std::size_t end, double period)
+        : first_slot_(begin), largest_(circles[begin]) {
         const auto [left, right] = std::ranges::minmax(std::span(circles).subspan(begin, end - begin), {}, &Circle::x);
+        largest_.radius += rounding;
         x_min_ = left.x;
         x_max_ = right.x;
         const double length = x_max_ - x_min_, count = static_cast<double>(end - begin);
-        side_ = std::max({reach * (circles[begin].radius + rounding), std::sqrt(length * period / count),
-                          length / count, period / count}) *
-                (1 + 1e-9);
+        side_ = std::max({std::sqrt(length * period / count), length / count, period / count}) * (1 + 1e-9);
         nx_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(length / side_));
         ny_ = std::max<std::int64_t>(1, static_cast<std::int64_t>(period / side_));
         per_x_ = length > 0 ? static_cast<double>(nx_) / length : 0;
@@ -36,20 +36,27 @@ public:
         sort(circles, begin, end);
     }
 
-    /// Visits the slots of the circles that come before `rank`, in the cells round a place, until visit(slot) says no.
+    /// Visits the slots of circles that come before `rank`, among them all with centres within `distance` of a place,
+    /// until visit(slot) says no.
     template <class Visit>
-    void visit_near(double x, double y, std::size_t rank, Visit visit) const {
-        if (x < x_min_ - side_ || x > x_max_ + side_) return;
-        const std::int64_t i = column(x), j = row(y);
-        for (std::int64_t a = std::max<std::int64_t>(i - 1, 0); a <= std::min(i + 1, nx_ - 1); ++a) {
-            for (std::int64_t step = 0; step < std::min<std::int64_t>(ny_, 3); ++step) {
-                const auto cell = static_cast<std::size_t>(a * ny_ + (j + step + ny_ - 1) % ny_);
+    void visit_near(const Circle& place, double distance, std::size_t rank, Visit visit) const {
+        distance += rounding * side_;
+        if (place.x < x_min_ - distance || place.x > x_max_ + distance) return;
+        const auto below = static_cast<std::int64_t>(std::floor((place.y - distance) * per_y_));
+        const auto above = static_cast<std::int64_t>(std::floor((place.y + distance) * per_y_));
+        const std::int64_t rows = std::min(above - below + 1, ny_), lowest = (below % ny_ + ny_) % ny_;
+        const std::int64_t last = column(place.x + distance);
+        for (std::int64_t a = column(place.x - distance); a <= last; ++a) {
+            for (std::int64_t k = 0, b = lowest; k < rows; ++k, b = b + 1 < ny_ ? b + 1 : 0) {
+                const auto cell = static_cast<std::size_t>(a * ny_ + b);
                 for (std::size_t s = start_[cell]; s < start_[cell + 1] && sorted_[s].rank < rank; ++s) {
                     if (!visit(first_slot_ + s)) return;
                 }
             }
         }
     }
+    /// At least as large as any.
+    [[nodiscard]] const Circle& largest() const { return largest_; }
     [[nodiscard]] const std::vector<Ranked>& sorted() const { return sorted_; }
 
 private:
@@ -72,6 +79,7 @@ private:
     }
 
     std::size_t first_slot_;
+    Circle largest_;
     double x_min_ = 0, x_max_ = 0, side_ = 1, per_x_ = 0, per_y_ = 0;
     std::int64_t nx_ = 1, ny_ = 1;
     std::vector<std::size_t> start_;
@@ -88,7 +96,7 @@ public:
             const double lowest = classes_.size() + 1 < most_classes ? circles[begin].radius / 2 : 0;
             std::size_t end = begin + 1;
             while (end < circles.size() && circles[end].radius > lowest) ++end;
-            classes_.emplace_back(circles, begin, end, period, rule.reach());
+            classes_.emplace_back(circles, begin, end, period);
             const std::vector<Ranked>& sorted = classes_.back().sorted();
             slots_.insert(slots_.end(), sorted.begin(), sorted.end());
             class_of_.insert(class_of_.end(), sorted.size(), static_cast<char>(classes_.size() - 1));
@@ -126,7 +134,8 @@ private:
         bool dropped = false;
         for (int k = 0; k <= class_of_[slot] && !dropped; ++k) {
             const SizeClass& larger = classes_[static_cast<std::size_t>(k)];
-            larger.visit_near(own.circle.x, own.circle.y, own.rank, [&](std::size_t other) {
+            const double farthest = rule_.distance(larger.largest(), own.circle);
+            larger.visit_near(own.circle, farthest, own.rank, [&](std::size_t other) {
                 if (state_[other] == State::dropped || !meets(slots_[other], own)) return true;
                 if (state_[other] == State::selected) {
                     dropped = true;

@@ -16,8 +16,6 @@ struct CircleRule {
     [[nodiscard]] double distance(const Circle& larger, const Circle& smaller) const {
         return overlap ? larger.radius + smaller.radius : factor * larger.radius;
     }
-    /// How far a circle is met at most, in its radii.
-    [[nodiscard]] double reach() const { return overlap ? 2 : factor; }
 };
 
 /// From the first to the last, each circle that meets none of those selected before; distances are those of the nearest

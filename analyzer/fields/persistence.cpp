@@ -6,7 +6,7 @@
 #include <numeric>
 #include <tuple>
 
-#include <tbb/parallel_sort.h>
+#include "analyzer/fields/sort_in_pieces.hpp"
 
 namespace recoat {
 namespace {
@@ -47,10 +47,12 @@ public:
             const std::uint32_t a = basin_[edge.first], b = basin_[edge.second];
             if (leads(edge) && a != b) result.push_back({edge.throat, std::min(a, b), std::max(a, b)});
         }
-        tbb::parallel_sort(result.begin(), result.end(), [](const Pass& a, const Pass& b) {
-            return a.throat != b.throat ? a.throat > b.throat
-                                        : std::tie(a.first, a.second) < std::tie(b.first, b.second);
-        });
+        sort_in_pieces(
+            result, [](const Pass& pass) { return -pass.throat; },
+            [](const Pass& a, const Pass& b) {
+                return a.throat != b.throat ? a.throat > b.throat
+                                            : std::tie(a.first, a.second) < std::tie(b.first, b.second);
+            });
         return result;
     }
 

@@ -74,18 +74,12 @@ Layer SpatialOrder::apply(const Layer& layer) const {
     return result;
 }
 
-ContactGraph SpatialOrder::restore(const ContactGraph& graph) const {
-    std::vector<std::size_t> start(place_.size() + 1, 0);
-    for (std::size_t p = 0; p < place_.size(); ++p) start[p + 1] = start[p] + graph.coordination_number(place_[p]);
-    std::vector<std::size_t> neighbour(start.back());
-    for_each_in_parallel(place_.size(), [&](std::size_t p) {
-        const auto first = neighbour.begin() + static_cast<std::ptrdiff_t>(start[p]);
-        const auto last = std::ranges::transform(graph.neighbours(place_[p]), first, [&](std::size_t other) {
-                              return particle_[other];
-                          }).out;
-        std::sort(first, last);
-    });
-    return {std::move(start), std::move(neighbour)};
+std::vector<std::uint32_t> SpatialOrder::coordination_numbers(const ContactGraph& graph) const {
+    std::vector<std::uint32_t> number(particle_.size());
+    for (std::size_t place = 0; place < particle_.size(); ++place) {
+        number[particle_[place]] = static_cast<std::uint32_t>(graph.coordination_number(place));
+    }
+    return number;
 }
 
 Clusters SpatialOrder::restore(const Clusters& clusters) const {

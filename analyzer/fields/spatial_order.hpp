@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "analyzer/fields/clusters.hpp"
@@ -20,7 +21,7 @@ public:
     [[nodiscard]] Layer apply(const Layer& layer) const;
 
     /// What has been found for the layer in this order, with the numbers of the layer itself.
-    [[nodiscard]] ContactGraph restore(const ContactGraph& graph) const;
+    [[nodiscard]] std::vector<std::uint32_t> coordination_numbers(const ContactGraph& graph) const;
     [[nodiscard]] Clusters restore(const Clusters& clusters) const;
 
 private:

@@ -4,9 +4,8 @@
 #include <cmath>
 #include <tuple>
 
-#include <tbb/parallel_sort.h>
-
 #include "analyzer/fields/coincidence.hpp"
+#include "analyzer/fields/sort_in_pieces.hpp"
 
 namespace recoat {
 namespace {
@@ -24,11 +23,14 @@ double coordinate_step(const Layer& layer) {
 }  // namespace
 
 CircleKey::CircleKey(const Circle& circle) {
-    constexpr double step = 1e-9;
     values_ = {-std::llround(circle.radius / step), std::llround(circle.x / step), std::llround(circle.y / step)};
 }
 
-bool comes_first(const Circle& a, const Circle& b) { return CircleKey(a) < CircleKey(b); }
+bool comes_first(const Circle& a, const Circle& b) {
+    // Most pairs differ by more than the steps of their keys.
+    if (std::abs(a.radius - b.radius) > 2 * CircleKey::step) return a.radius > b.radius;
+    return CircleKey(a) < CircleKey(b);
+}
 
 std::vector<std::size_t> from_large_to_small(std::span<const Circle> circles) {
     struct Entry {
@@ -38,9 +40,9 @@ std::vector<std::size_t> from_large_to_small(std::span<const Circle> circles) {
     std::vector<Entry> entries;
     entries.reserve(circles.size());
     for (const Circle& circle : circles) entries.push_back({CircleKey(circle), entries.size()});
-    tbb::parallel_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-        return std::tie(a.key, a.index) < std::tie(b.key, b.index);
-    });
+    sort_in_pieces(
+        entries, [](const Entry& entry) { return entry.key.leading(); },
+        [](const Entry& a, const Entry& b) { return std::tie(a.key, a.index) < std::tie(b.key, b.index); });
     std::vector<std::size_t> order(entries.size());
     std::ranges::transform(entries, order.begin(), &Entry::index);
     return order;

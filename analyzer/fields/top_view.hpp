@@ -26,11 +26,16 @@ struct Circle {
 /// count.
 class CircleKey {
 public:
+    static constexpr double step = 1e-9;  ///< that lengths are rounded to [d_p]
+
+    CircleKey() = default;
     explicit CircleKey(const Circle& circle);
+    /// What counts first; smaller for larger circles.
+    [[nodiscard]] double leading() const { return static_cast<double>(values_[0]); }
     friend auto operator<=>(const CircleKey&, const CircleKey&) = default;
 
 private:
-    std::array<long long, 3> values_;
+    std::array<long long, 3> values_{};
 };
 
 [[nodiscard]] bool comes_first(const Circle& a, const Circle& b);

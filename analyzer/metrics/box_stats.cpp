@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numeric>
+
+#include "analyzer/fields/sort_in_pieces.hpp"
 
 namespace recoat {
 namespace {
@@ -28,7 +31,7 @@ BoxStats box_stats(std::span<const double> values) {
     BoxStats stats;
     if (values.empty()) return stats;
     std::vector<double> sorted(values.begin(), values.end());
-    std::ranges::sort(sorted);
+    sort_in_pieces(sorted, std::identity{}, std::less<>{});
     stats.n = sorted.size();
     stats.mean = mean(values);
     stats.min = sorted.front();

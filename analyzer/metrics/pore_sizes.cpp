@@ -1,7 +1,9 @@
 #include "analyzer/metrics/pore_sizes.hpp"
 
 #include <algorithm>
+#include <functional>
 
+#include "analyzer/fields/sort_in_pieces.hpp"
 #include "analyzer/metrics/box_stats.hpp"
 
 namespace recoat {
@@ -12,7 +14,7 @@ std::size_t pore_size_group(double diameter, double tolerance) {
 
 PoreSizes pore_sizes(std::vector<double> diameters, double tolerance) {
     PoreSizes sizes;
-    std::ranges::sort(diameters);
+    sort_in_pieces(diameters, std::identity{}, std::less<>{});
     sizes.sorted = std::move(diameters);
     sizes.count = sizes.sorted.size();
     if (sizes.count == 0) return sizes;

@@ -59,7 +59,7 @@ void write_particles(const std::filesystem::path& place, const Analysis& analysi
         rows.push_back({std::to_string(layer.file_index[i]), cell(config.x_begin + d * layer.x[i]),
                         cell(config.y_min + d * layer.y[i]), cell(config.base + d * layer.z[i]),
                         cell(d * layer.radius[i]), std::to_string(layer.in_region[i]),
-                        std::to_string(analysis.contacts.coordination_number(i)), std::to_string(cluster),
+                        std::to_string(analysis.coordination_numbers[i]), std::to_string(cluster),
                         std::to_string(analysis.clusters.cluster[cluster].size),
                         cell(analysis.clusters.cluster[cluster].angle)});
     }

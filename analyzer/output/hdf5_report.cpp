@@ -46,7 +46,7 @@ void write_particles(const DescribedGroup& group, const Analysis& analysis, cons
     std::vector<double> angle(layer.size());
     for (std::size_t i = 0; i < layer.size(); ++i) {
         const Cluster& cluster = analysis.clusters.cluster[analysis.clusters.of_particle[i]];
-        number[i] = analysis.contacts.coordination_number(i);
+        number[i] = analysis.coordination_numbers[i];
         size[i] = cluster.size;
         angle[i] = cluster.angle.value_or(none);
     }

@@ -153,7 +153,7 @@ Json particles_to_json(const Analysis& analysis) {
     Json number = Json::array(), size = Json::array(), angle = Json::array();
     for (std::size_t i = 0; i < analysis.layer.size(); ++i) {
         const Cluster& cluster = analysis.clusters.cluster[analysis.clusters.of_particle[i]];
-        number.push_back(analysis.contacts.coordination_number(i));
+        number.push_back(analysis.coordination_numbers[i]);
         size.push_back(cluster.size);
         angle.push_back(or_null(cluster.angle));
     }

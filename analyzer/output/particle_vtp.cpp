@@ -56,7 +56,7 @@ void write_layer_vtp(const std::filesystem::path& place, const Analysis& analysi
     for (std::size_t i = 0; i < layer.size(); ++i) {
         points.push_back(
             {source.position[layer.file_index[i]].x, config.y_min + d * layer.y[i], config.base + d * layer.z[i]});
-        number.push_back(static_cast<std::int64_t>(analysis.contacts.coordination_number(i)));
+        number.push_back(static_cast<std::int64_t>(analysis.coordination_numbers[i]));
         const Cluster& mine = analysis.clusters.cluster[analysis.clusters.of_particle[i]];
         cluster.push_back(static_cast<std::int64_t>(analysis.clusters.of_particle[i]));
         size.push_back(static_cast<std::int64_t>(mine.size));

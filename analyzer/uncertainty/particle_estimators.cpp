@@ -55,7 +55,7 @@ Quantity listed(std::string group, std::string name, std::vector<double> items) 
 }
 
 void add_contacts(const Analysis& analysis, double tolerance, std::vector<Estimator>& result) {
-    const auto number = [&](std::size_t i) { return analysis.contacts.coordination_number(i); };
+    const auto number = [&](std::size_t i) { return analysis.coordination_numbers[i]; };
     result.push_back(mean_estimator(analysis, tolerance, {"clusters", "cn_mean", "1"},
                                     [&](std::size_t i) { return static_cast<double>(number(i)); }));
     std::vector<double> numbers;
