@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
+#include <utility>
 
 #include <CGAL/Apollonius_graph_2.h>
 #include <CGAL/Apollonius_graph_filtered_traits_2.h>
@@ -99,18 +101,26 @@ Graph diagram(const std::vector<Disk>& disks) {
     return graph;
 }
 
-/// Circles whose centre belongs to a block, or lies just beyond.
+/// The disks of a face, counter-clockwise, from the first in the plane on. CGAL begins where its memory happens to lie.
+template <class Face>
+std::array<Disk, 3> touched_by(const Face& face) {
+    std::array<Disk, 3> disks;
+    for (int k = 0; k < 3; ++k) {
+        const auto& site = face->vertex(k)->site();
+        disks[k] = {site.point().x(), site.point().y(), site.weight(), 0, 0};
+    }
+    const auto place = [](const Disk& disk) { return std::pair(disk.x, disk.y); };
+    std::ranges::rotate(disks, std::ranges::min_element(disks, {}, place));
+    return disks;
+}
+
+/// Circles whose centre belongs to a block, or lies just beyond, in an order of their own.
 std::vector<Circle> circles_of(const PlaneBlock& block, double period) {
     const Graph graph = diagram(block.disks);
     if (graph.dimension() < 2) return {};
     std::vector<Circle> result;
     for (auto face = graph.finite_faces_begin(); face != graph.finite_faces_end(); ++face) {
-        std::array<Disk, 3> touched;
-        for (int k = 0; k < 3; ++k) {
-            const auto& site = face->vertex(k)->site();
-            touched[k] = {site.point().x(), site.point().y(), site.weight(), 0, 0};
-        }
-        const std::vector<Circle> circles = circles_between(touched);
+        const std::vector<Circle> circles = circles_between(touched_by(face));
         for (Circle circle : circles) {
             if (circle.x < block.x_begin - end_zone || circle.x > block.x_end + end_zone ||
                 circle.y < block.y_begin - end_zone || circle.y > block.y_end + end_zone)
@@ -121,6 +131,7 @@ std::vector<Circle> circles_of(const PlaneBlock& block, double period) {
             result.push_back(circle);
         }
     }
+    std::ranges::sort(result, {}, [](const Circle& circle) { return std::tuple(circle.x, circle.y, circle.radius); });
     return result;
 }
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -81,6 +83,37 @@ TEST(EmptyCircles, AreLocalMaximaOfTheGap) {
         EXPECT_NEAR(gap(copies, circle.x, circle.y), circle.radius, 1e-9);
         for (int k = 0; k < 16; ++k) {
             EXPECT_LT(gap(copies, circle.x + 1e-4 * std::cos(k), circle.y + 1e-4 * std::sin(k)), circle.radius);
+        }
+    }
+}
+
+/// Memory with holes of all sizes: what is made next comes to lie in another order every time.
+std::vector<std::unique_ptr<char[]>> scattered_memory(std::uint64_t seed) {
+    std::mt19937_64 generator(seed);
+    std::vector<std::unique_ptr<char[]>> kept(20'000);
+    for (auto& block : kept) block = std::make_unique<char[]>(16 + generator() % 3000);
+    std::ranges::shuffle(kept, generator);
+    kept.resize(kept.size() / 2);
+    return kept;
+}
+
+TEST(EmptyCircles, DoNotDependOnWhereMemoryLies) {
+    // Circles within rounding of the seam of the period, which are found at both of its ends.
+    std::vector<Ball> balls = random_disks(300, 300, 20, false, 5);
+    for (int column = 0; column < 200; ++column) {
+        const double radius = 0.3 + 0.1 * std::cos(column);
+        for (const double y : {-0.7, 0.7}) balls.push_back({1.5 * column, y + 4e-4, 0.5, radius});
+    }
+    const Layer layer = layer_of(balls, unit_config(300, 20));
+    const std::vector<Circle> once = empty_circles(layer).maxima;
+    for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+        const auto memory = scattered_memory(seed);
+        const std::vector<Circle> again = empty_circles(layer).maxima;
+        ASSERT_EQ(again.size(), once.size());
+        for (std::size_t i = 0; i < once.size(); ++i) {
+            EXPECT_EQ(again[i].x, once[i].x);
+            EXPECT_EQ(again[i].y, once[i].y);
+            EXPECT_EQ(again[i].radius, once[i].radius);
         }
     }
 }
