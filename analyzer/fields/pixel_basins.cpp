@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstring>
+#include <utility>
 
 namespace recoat {
 namespace {
@@ -45,6 +47,7 @@ public:
     PixelBasins run() {
         // Until all is found, `basin` holds the next pixel on the way up.
         basins_.basin.resize(pixels_.squared.size());
+        looked_at_.assign(pixels_.squared.size(), Mark::yes);
         for (std::int64_t i = 0; i < pixels_.rows; ++i) climb_row(i);
         number_tops();
         for (std::int64_t i = 0; i < pixels_.rows; ++i) add_row(i);
@@ -52,6 +55,11 @@ public:
     }
 
 private:
+    /// No `char`, which the compiler must expect to be part of anything.
+    enum class Mark : std::uint8_t { no, yes };
+
+    static constexpr std::uint32_t numbered = 0x80000000;
+
     [[nodiscard]] std::uint32_t squared(std::int64_t p) const { return pixels_.squared[static_cast<std::size_t>(p)]; }
     [[nodiscard]] std::uint32_t& basin(std::int64_t p) { return basins_.basin[static_cast<std::size_t>(p)]; }
 
@@ -68,6 +76,7 @@ private:
                                                    columns_ - 1,  columns_,  columns_ + 1};
         const std::uint32_t* here = pixels_.squared.data() + first;
         std::uint32_t* up = basins_.basin.data() + first;
+        Mark* level = looked_at_.data() + first;
         for (std::int64_t j = 1; j < columns_ - 1; ++j) {
             std::uint32_t highest = 0, best = 0;
             for (const std::int64_t step : steps) {
@@ -76,6 +85,7 @@ private:
                 highest = std::max(highest, value);
             }
             up[j] = here[j] == 0 ? PixelBasins::solid : best;
+            level[j] = static_cast<Mark>(static_cast<int>(highest == here[j]) & static_cast<int>(highest != 0));
         }
     }
     [[nodiscard]] std::uint32_t climb(std::int64_t i, std::int64_t j) const {
@@ -90,32 +100,49 @@ private:
         return static_cast<std::uint32_t>(best);
     }
 
+    /// From the next pixel on the way up to the number of the top; what is numbered, or solid, has the highest bit.
     void number_tops() {
         const auto size = static_cast<std::int64_t>(pixels_.squared.size());
-        std::vector<std::uint32_t> number(pixels_.squared.size());
         for (std::int64_t p = 0; p < size; ++p) {
             if (basin(p) != p) continue;
-            number[static_cast<std::size_t>(p)] = static_cast<std::uint32_t>(basins_.tops.size());
+            basin(p) = numbered | static_cast<std::uint32_t>(basins_.tops.size());
             basins_.tops.push_back({squared(p), pixels_.begin + p / columns_, p % columns_, 0, 0, 0});
         }
         for (std::int64_t p = 0; p < size; ++p) {
-            if (basin(p) == PixelBasins::solid) continue;
-            std::int64_t top = p;
-            while (basin(top) != top) top = basin(top);
-            for (std::int64_t q = p; q != top;) {
-                const std::int64_t next = basin(q);
-                basin(q) = static_cast<std::uint32_t>(top);
-                q = next;
+            std::uint32_t number = basin(p);
+            while ((number & numbered) == 0) number = basin(number);
+            for (std::uint32_t q = static_cast<std::uint32_t>(p); (basin(q) & numbered) == 0;) {
+                q = std::exchange(basin(q), number);
             }
         }
-        for (std::uint32_t& here : basins_.basin) {
-            if (here != PixelBasins::solid) here = number[here];
+        for (std::uint32_t& here : basins_.basin) here = here == PixelBasins::solid ? here : here & ~numbered;
+    }
+
+    /// Marks the pixels of an inner row that lie between two basins, beside those that are as high as all around them.
+    void mark_meetings(std::int64_t i) {
+        const std::uint32_t *here = basins_.basin.data() + i * columns_, *before = here - columns_;
+        Mark* mark = looked_at_.data() + i * columns_;
+        for (std::int64_t j = 1; j < columns_ - 1; ++j) {
+            const std::uint32_t own = here[j];
+            const auto meets = [own](std::uint32_t other) {
+                return static_cast<int>(other != own) & static_cast<int>(other != PixelBasins::solid);
+            };
+            const int any = meets(here[j - 1]) | meets(before[j - 1]) | meets(before[j]) | meets(before[j + 1]);
+            mark[j] = static_cast<Mark>(static_cast<int>(mark[j]) | any);
         }
+    }
+
+    /// The first marked pixel of a row from a column on; the number of columns if there is none.
+    [[nodiscard]] std::int64_t next_marked(std::int64_t i, std::int64_t j) const {
+        const Mark* row = looked_at_.data() + i * columns_;
+        const void* found = std::memchr(row + j, static_cast<int>(Mark::yes), static_cast<std::size_t>(columns_ - j));
+        return found == nullptr ? columns_ : static_cast<const Mark*>(found) - row;
     }
 
     /// Adds the pixels of a row to the tops they belong to, and the ways to the pixels before them.
     void add_row(std::int64_t i) {
-        for (std::int64_t j = 0; j < columns_; ++j) {
+        if (i > 0) mark_meetings(i);
+        for (std::int64_t j = next_marked(i, 0); j < columns_; j = next_marked(i, j + 1)) {
             const std::int64_t p = i * columns_ + j;
             const std::uint32_t own = basin(p);
             if (own == PixelBasins::solid) continue;
@@ -141,6 +168,7 @@ private:
     const PixelDistance& pixels_;
     std::int64_t columns_;
     PixelBasins basins_;
+    std::vector<Mark> looked_at_;  ///< pixels that tops or ways may depend on
     PassCollector collector_{basins_.passes};
 };
 

@@ -26,24 +26,33 @@ RowLists by_chunks(const Layer& layer, double n, std::int64_t first_row, std::in
     return {ranges, chunks};
 }
 
+/// Squared distances of the pixels begin ... end - 1 of a run of `length` pixels between two solid ones.
+void measure_run(std::uint32_t* pixels, std::int64_t begin, std::int64_t end, std::int64_t length) {
+    for (std::int64_t k = begin; k < end; ++k) {
+        const auto distance =
+            static_cast<std::uint32_t>(std::min<std::int64_t>(std::min(k + 1, length - k), PixelRaster::farthest));
+        pixels[k - begin] = distance * distance;
+    }
+}
+
 /// From marks of solid pixels (0) to squared distances along a row.
 void measure_row(std::uint32_t* row, std::int64_t columns) {
     constexpr std::uint32_t farthest = PixelRaster::farthest;
-    const std::int64_t solid = std::find(row, row + columns, 0U) - row;
-    if (solid == columns) {
+    const std::int64_t first = std::find(row, row + columns, 0U) - row;
+    if (first == columns) {
         std::fill(row, row + columns, farthest * farthest);
         return;
     }
-    std::uint32_t distance = 0;
-    const auto step = [&](std::int64_t j) {
-        distance = row[j] == 0 ? 0 : std::min(distance + 1, farthest);
-        row[j] = std::min(row[j], distance);
-    };
-    for (std::int64_t j = solid; j < columns; ++j) step(j);
-    for (std::int64_t j = 0; j < solid; ++j) step(j);
-    for (std::int64_t j = solid; j >= 0; --j) step(j);
-    for (std::int64_t j = columns - 1; j > solid; --j) step(j);
-    for (std::int64_t j = 0; j < columns; ++j) row[j] *= row[j];
+    std::int64_t last = first;
+    for (std::int64_t j = first + 1; j < columns; ++j) {
+        if (row[j] != 0) continue;
+        if (j > last + 1) measure_run(row + last + 1, 0, j - last - 1, j - last - 1);
+        last = j;
+    }
+    // The run that goes on from the last column to the first.
+    const std::int64_t behind = columns - 1 - last, length = behind + first;
+    measure_run(row + last + 1, 0, behind, length);
+    measure_run(row, behind, length, length);
 }
 
 }  // namespace
@@ -67,6 +76,10 @@ void PixelRaster::draw(std::size_t disk, std::int64_t begin, std::int64_t end, s
         const auto low = static_cast<std::int64_t>(std::ceil((y - half) * n_ - 0.5));
         const auto high = static_cast<std::int64_t>(std::floor((y + half) * n_ - 0.5));
         std::uint32_t* row = pixels + (i - begin) * columns_;
+        if (low >= 0 && high < columns_) {
+            std::fill(row + low, row + std::max(low, high + 1), 0);
+            continue;
+        }
         for (std::int64_t j = low; j <= std::min(high, low + columns_ - 1); ++j) {
             row[j >= 0 && j < columns_ ? j : ((j % columns_) + columns_) % columns_] = 0;
         }

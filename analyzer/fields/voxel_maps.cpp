@@ -1,10 +1,12 @@
 #include "analyzer/fields/voxel_maps.hpp"
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <bit>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include "analyzer/fields/packing_map.hpp"
 #include "analyzer/fields/strip_sums.hpp"
@@ -60,39 +62,71 @@ private:
     std::vector<std::int64_t> values_;
 };
 
-/// Solid voxels below layer `top` of every column of a leaf, added up by strips.
-void count_leaf(const Leaf& leaf, const VoxelStrips& strips, int top, SharedTable& counts) {
-    const openvdb::Coord origin = leaf.origin();
-    const int layers = std::clamp(top - origin.z(), 0, 8);
-    if (layers == 0) return;
-    const unsigned below = 0xFFu >> (8 - layers);
-    for (int a = 0; a < 8; ++a) {
-        const int i = origin.x() + a - strips.i_begin;
-        if (i < 0 || i >= static_cast<int>(strips.x.size()) || strips.x[i] < 0) continue;
-        std::int64_t sum = 0;
-        for (int b = 0; b < 8; ++b) {
-            const int j = origin.y() + b;
-            if (j >= static_cast<int>(strips.y.size())) break;
-            sum += std::popcount(leaf.getValueMask().getWord<std::uint8_t>(a * 8 + b) & below);
-            const bool strip_ends =
-                b == 7 || j + 1 == static_cast<int>(strips.y.size()) || strips.y[j + 1] != strips.y[j];
-            if (strip_ends && sum > 0) counts.add(strips.x[i], strips.y[j], std::exchange(sum, 0));
-        }
-    }
-}
+/// The columns of a leaf that lie in one strip along y, one byte for each in a word of its mask.
+struct StripBytes {
+    int strip = 0;
+    std::uint64_t bytes = 0;
+};
 
-/// One more than the index of the highest solid voxel of every column of a leaf.
-void raise_leaf(const Leaf& leaf, const VoxelStrips& strips, SharedTable& tops) {
-    const openvdb::Coord origin = leaf.origin();
-    for (int a = 0; a < 8; ++a) {
-        const int i = origin.x() + a - strips.i_begin;
-        if (i < 0 || i >= static_cast<int>(strips.x.size()) || strips.x[i] < 0) continue;
-        for (int b = 0; b < 8; ++b) {
-            const unsigned column = leaf.getValueMask().getWord<std::uint8_t>(a * 8 + b);
-            if (column != 0) tops.raise(strips.x[i], strips.y[origin.y() + b], origin.z() + std::bit_width(column));
+/// Adds up leaves by strips. A word of the mask of a leaf holds the voxels of one row along x.
+class LeafReader {
+public:
+    explicit LeafReader(const VoxelStrips& strips) : strips_(strips) {}
+
+    /// Adds the solid voxels below layer `top`.
+    void count(const Leaf& leaf, int top, SharedTable& counts) {
+        const int layers = std::clamp(top - leaf.origin().z(), 0, 8);
+        if (layers == 0) return;
+        const std::uint64_t below = every_byte * (0xFFU >> (8 - layers));
+        find_strips(leaf);
+        for_each_strip(leaf, [&](int x, std::span<const std::uint64_t> words, StripBytes y) {
+            std::int64_t sum = 0;
+            for (const std::uint64_t word : words) sum += std::popcount(word & y.bytes & below);
+            if (sum > 0) counts.add(x, y.strip, sum);
+        });
+    }
+
+    /// Raises to one more than the index of the highest solid voxel.
+    void raise(const Leaf& leaf, SharedTable& tops) {
+        find_strips(leaf);
+        for_each_strip(leaf, [&](int x, std::span<const std::uint64_t> words, StripBytes y) {
+            std::uint64_t any = 0;
+            for (const std::uint64_t word : words) any |= word & y.bytes;
+            if (any == 0) return;
+            for (const int half : {32, 16, 8}) any |= any >> half;
+            tops.raise(x, y.strip, leaf.origin().z() + std::bit_width(any & 0xFF));
+        });
+    }
+
+private:
+    static constexpr std::uint64_t every_byte = 0x0101010101010101;
+
+    void find_strips(const Leaf& leaf) {
+        along_y_.clear();
+        const int begin = leaf.origin().y();
+        for (int b = 0; b < 8 && begin + b < static_cast<int>(strips_.y.size()); ++b) {
+            const int strip = strips_.y[begin + b];
+            if (along_y_.empty() || along_y_.back().strip != strip) along_y_.push_back({strip, 0});
+            along_y_.back().bytes |= std::uint64_t{0xFF} << (8 * b);
         }
     }
-}
+    /// visit(strip along x, words of its rows, strip along y)
+    template <class Visit>
+    void for_each_strip(const Leaf& leaf, Visit visit) const {
+        std::array<std::uint64_t, 8> words;
+        for (int a = 0; a < 8; ++a) words[a] = leaf.getValueMask().getWord<std::uint64_t>(a);
+        const int begin = leaf.origin().x() - strips_.i_begin, size = static_cast<int>(strips_.x.size());
+        for (int a = std::max(-begin, 0), end = a; a < std::min(8, size - begin); a = end) {
+            const int strip = strips_.x[begin + a];
+            for (end = a + 1; end < std::min(8, size - begin) && strips_.x[begin + end] == strip;) ++end;
+            if (strip < 0) continue;
+            for (const StripBytes& y : along_y_) visit(strip, std::span(words).subspan(a, end - a), y);
+        }
+    }
+
+    const VoxelStrips& strips_;
+    std::vector<StripBytes> along_y_;
+};
 
 /// Voxel centres in [0, extent) on a line, an edge counting as above.
 int voxels_in(double extent, int n, double tolerance) {
@@ -114,9 +148,10 @@ VoxelMaps voxel_maps(const Layer& layer, const AnalysisConfig& config, int voxel
     SharedTable counts(phi_lattice), tops(height_lattice);
     const int layers = voxels_in(layer.clearance, n, config.bin_tol);
     visit_voxel_slabs(layer, n, i_begin, i_end, [&](const openvdb::MaskTree& mask) {
+        LeafReader for_phi(phi_strips), for_height(height_strips);
         for (auto leaf = mask.cbeginLeaf(); leaf; ++leaf) {
-            count_leaf(*leaf, phi_strips, layers, counts);
-            raise_leaf(*leaf, height_strips, tops);
+            for_phi.count(*leaf, layers, counts);
+            for_height.raise(*leaf, tops);
         }
     });
 

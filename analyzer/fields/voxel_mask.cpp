@@ -4,6 +4,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <limits>
 
 #include "analyzer/fields/parallel.hpp"
 #include "analyzer/fields/row_lists.hpp"
@@ -16,9 +17,14 @@ static_assert(std::endian::native == std::endian::little, "a column of a leaf is
 using Leaf = openvdb::MaskTree::LeafNodeType;
 constexpr int leaf_side = Leaf::DIM;
 constexpr int leaf_columns = leaf_side * leaf_side;
-constexpr int slab_side = 128;  ///< voxels: one lower internal node of the tree, so that merging moves whole nodes
+constexpr int stack_height = 56;  ///< voxels of a column that are kept in one word: seven leaves
+constexpr int slab_side = 128;    ///< voxels: one lower internal node of the tree, so that merging moves whole nodes
 
-using ColumnSpans = std::array<RowRange, leaf_columns>;  ///< solid voxels along z per column of a leaf, index [x][y]
+/// Solid voxels along z, first to end - 1, of every column of a leaf, index [x][y]; where there are none the first is
+/// beyond all.
+struct ColumnSpans {
+    std::array<int, leaf_columns> first, end;
+};
 
 int floor_to_leaf(int index) { return index & ~(leaf_side - 1); }
 
@@ -47,42 +53,59 @@ public:
     }
 
 private:
-    /// Spans of solid voxels in the columns of one stack of leaves.
+    /// The columns of one stack of leaves.
     void add_block(const Ball& ball, RowRange i, RowRange j, int i_leaf, int j_leaf) {
         ColumnSpans spans;
         int lowest = std::numeric_limits<int>::max(), highest = -1;
-        for (int a = 0; a < leaf_side; ++a) {
-            for (int b = 0; b < leaf_side; ++b) {
-                RowRange& span = spans[static_cast<std::size_t>(a) * leaf_side + b];
-                span = {};
-                if (i_leaf + a < i.first || i_leaf + a > i.last || j_leaf + b < j.first || j_leaf + b > j.last)
-                    continue;
-                span = span_of(ball, i_leaf + a, j_leaf + b);
-                if (span.last < span.first) continue;
-                lowest = std::min(lowest, span.first);
-                highest = std::max(highest, span.last);
+        const int a_first = std::max(i.first - i_leaf, 0), a_last = std::min(i.last - i_leaf, leaf_side - 1);
+        for (int a = a_first; a <= a_last; ++a) {
+            set_spans(ball, i_leaf + a, j, j_leaf, spans, a * leaf_side);
+            for (int c = a * leaf_side; c < (a + 1) * leaf_side; ++c) {
+                lowest = std::min(lowest, spans.first[c]);
+                highest = std::max(highest, spans.end[c] - 1);
             }
         }
-        for (int k_leaf = floor_to_leaf(lowest); k_leaf <= highest; k_leaf += leaf_side) {
-            fill(*accessor_.touchLeaf({i_leaf, j_leaf, k_leaf}), spans, k_leaf);
+        for (int k = floor_to_leaf(lowest); k <= highest; k += stack_height) {
+            const RowRange columns = {a_first * leaf_side, (a_last + 1) * leaf_side - 1};
+            fill_stack(spans, columns, {i_leaf, j_leaf, k}, highest);
         }
     }
 
-    [[nodiscard]] RowRange span_of(const Ball& ball, int i, int j) const {
-        const double dx = (i + 0.5) / n_ - ball.x, dy = (j + 0.5) / n_ - ball.y;
-        const double square = ball.radius * ball.radius - dx * dx - dy * dy;
-        if (square < 0) return {};
-        const double half = std::sqrt(square);
-        return voxels_between(ball.z - half, ball.z + half, n_, 0, std::numeric_limits<int>::max());
+    /// The voxels of some columns in the leaves above one another from `origin` on.
+    void fill_stack(const ColumnSpans& spans, RowRange columns, openvdb::Coord origin, int highest) {
+        std::array<std::uint64_t, leaf_columns> bits;
+        for (int c = columns.first; c <= columns.last; ++c) {
+            bits[c] = bits_below(spans.end[c] - origin.z()) & ~bits_below(spans.first[c] - origin.z());
+        }
+        for (int up = 0; up < stack_height && origin.z() + up <= highest; up += leaf_side) {
+            auto& mask = accessor_.touchLeaf(origin.offsetBy(0, 0, up))->getValueMask();
+            for (int c = columns.first; c <= columns.last; c += leaf_side) {
+                std::uint64_t word = 0;
+                for (int b = 0; b < leaf_side; ++b) {
+                    word |= (bits[c + b] >> up & 0xFF) << (b * leaf_side);
+                }
+                mask.getWord<std::uint64_t>(c / leaf_side) |= word;
+            }
+        }
     }
+    /// The lowest bits, as many as there are up to `count`.
+    static std::uint64_t bits_below(int count) { return (std::uint64_t{1} << std::clamp(count, 0, stack_height)) - 1; }
 
-    static void fill(Leaf& leaf, const ColumnSpans& spans, int k_leaf) {
-        for (int column = 0; column < leaf_columns; ++column) {
-            const int first = std::max(spans[column].first - k_leaf, 0);
-            const int last = std::min(spans[column].last - k_leaf, leaf_side - 1);
-            if (last < first) continue;
-            const unsigned bits = (0xFFu >> (leaf_side - 1 - last)) & (0xFFu << first);
-            leaf.getValueMask().getWord<std::uint8_t>(column) |= static_cast<std::uint8_t>(bits);
+    /// Spans of a row of columns; without a branch, so that all are computed at once.
+    void set_spans(const Ball& ball, int i, RowRange j, int j_leaf, ColumnSpans& spans, int column) const {
+        constexpr double beyond = std::numeric_limits<int>::max();
+        const double dx = (i + 0.5) / n_ - ball.x, left = ball.radius * ball.radius - dx * dx, n = n_;
+        const double j_first = j.first, j_last = j.last;
+        int* firsts = spans.first.data() + column;
+        int* ends = spans.end.data() + column;
+        for (int b = 0; b < leaf_side; ++b) {
+            const double here = j_leaf + b, dy = (here + 0.5) / n - ball.y, square = left - dy * dy;
+            const double half = std::sqrt(std::abs(square));
+            const double first = std::ceil((ball.z - half) * n - 0.5), end = std::floor((ball.z + half) * n - 0.5) + 1;
+            const double from = first > 0 ? first : 0;
+            const bool solid = (square >= 0) & (end > from) & (here >= j_first) & (here <= j_last);
+            firsts[b] = static_cast<int>(solid ? from : beyond);
+            ends[b] = static_cast<int>(solid ? end : 0.0);
         }
     }
 
