@@ -4,7 +4,7 @@
 
 namespace recoat {
 
-void keep_freed_memory() {
+void keep_freed_memory() noexcept {
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, -1);
     mallopt(M_TOP_PAD, 1 << 24);

@@ -92,11 +92,7 @@ void time_all(Clock& clock, const Layer& unsorted, AnalysisConfig config) {
     clock.time("all exact", [&] { return analyse(unsorted, config); });
 }
 
-}  // namespace
-
-/// Times of the parts of an analysis, without start-up and reading, as one JSON object.
-int main(int argc, char** argv) {
-    keep_freed_memory();
+int run(int argc, char** argv) {
     std::string file, configuration;
     std::vector<std::string> settings;
     int threads = 0, repeats = 5;
@@ -109,23 +105,29 @@ int main(int argc, char** argv) {
     app.add_option("--repeats", repeats, "timed runs of every part, after one that is not")->check(CLI::Range(1, 1000));
     app.add_flag("--total-only", exact_only, "only all exact metrics together");
     CLI11_PARSE(app, argc, argv);
-    return run_program("analyzer-times", [&] {
-        std::unique_ptr<tbb::global_control> limit;
-        if (threads > 0)
-            limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
-        const Source source = read_particles(file);
-        const AnalysisConfig config = read_analysis_config(Config::load(configuration, settings), source.info);
-        Clock clock(repeats);
-        const Layer layer = clock.time("layer", [&] { return make_layer(source, config); });
-        if (!exact_only) time_exact(clock, layer, config);
-        time_all(clock, layer, config);
-        rusage usage{};
-        getrusage(RUSAGE_SELF, &usage);
-        const nlohmann::ordered_json result = {{"particles", layer.size()},
-                                               {"threads", threads},
-                                               {"peak_memory_MiB", usage.ru_maxrss / 1024},
-                                               {"seconds", clock.parts()}};
-        fmt::print("{}\n", result.dump(1));
-        return 0;
-    });
+    std::unique_ptr<tbb::global_control> limit;
+    if (threads > 0)
+        limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism, threads);
+    const Source source = read_particles(file);
+    const AnalysisConfig config = read_analysis_config(Config::load(configuration, settings), source.info);
+    Clock clock(repeats);
+    const Layer layer = clock.time("layer", [&] { return make_layer(source, config); });
+    if (!exact_only) time_exact(clock, layer, config);
+    time_all(clock, layer, config);
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const nlohmann::ordered_json result = {{"particles", layer.size()},
+                                           {"threads", threads},
+                                           {"peak_memory_MiB", usage.ru_maxrss / 1024},
+                                           {"seconds", clock.parts()}};
+    fmt::print("{}\n", result.dump(1));
+    return 0;
+}
+
+}  // namespace
+
+/// Times of the parts of an analysis, without start-up and reading, as one JSON object.
+int main(int argc, char** argv) {
+    keep_freed_memory();
+    return run_program("analyzer-times", [&] { return run(argc, argv); });
 }

@@ -110,7 +110,7 @@ std::array<Disk, 3> touched_by(const Face& face) {
         disks[k] = {site.point().x(), site.point().y(), site.weight(), 0, 0};
     }
     const auto place = [](const Disk& disk) { return std::pair(disk.x, disk.y); };
-    std::ranges::rotate(disks, std::ranges::min_element(disks, {}, place));
+    std::rotate(disks.begin(), std::ranges::min_element(disks, {}, place), disks.end());
     return disks;
 }
 
