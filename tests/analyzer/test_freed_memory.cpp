@@ -8,8 +8,6 @@
 namespace recoat {
 namespace {
 
-#ifndef __SANITIZE_ADDRESS__
-
 constexpr std::size_t large = 64 << 20, page = 4096;
 
 /// Pages that the system hands out while an array is made.
@@ -27,8 +25,6 @@ TEST(FreedMemory, IsUsedAgainWithoutNewPages) {
     static_cast<void>(pages_for_an_array());
     EXPECT_LT(pages_for_an_array(), static_cast<long>(large / page / 50));
 }
-
-#endif
 
 }  // namespace
 }  // namespace recoat
