@@ -142,6 +142,25 @@ bool Config::absent(std::string_view key, const std::string& default_text) const
     return true;
 }
 
+bool Config::is_word(std::string_view key, std::string_view word) const {
+    if (!has(key)) return false;
+    const ConfigNode& node = *node_->find(key);
+    return node.kind == Kind::scalar && node.text == word;
+}
+
+void Config::settle(std::string_view key, const std::string& text) const {
+    auto chosen = std::make_shared<ConfigNode>();
+    chosen->kind = Kind::scalar;
+    chosen->text = text;
+    chosen->line = node_->line;
+    const auto place = std::ranges::find(node_->entries, key, &std::pair<std::string, ConfigNode::Pointer>::first);
+    if (place == node_->entries.end()) {
+        node_->entries.emplace_back(key, std::move(chosen));
+    } else {
+        place->second = std::move(chosen);
+    }
+}
+
 Config Config::section(std::string_view key) const {
     const auto node = take(key, "a group of keys");
     if (node->kind == Kind::null) node->kind = Kind::mapping;

@@ -75,6 +75,11 @@ public:
     [[nodiscard]] std::string choice_or(std::string_view key, std::span<const std::string_view> allowed,
                                         std::string_view fallback) const;
 
+    /// Whether the key is present and its value is this word.
+    [[nodiscard]] bool is_word(std::string_view key, std::string_view word) const;
+    /// Puts `text` in place of the value of the key, or of the absent key: what the program chose itself.
+    void settle(std::string_view key, const std::string& text) const;
+
     /// A list of quantities in SI units; `expected_size` 0 means any.
     [[nodiscard]] std::vector<double> quantities(std::string_view key, Dimension dimension,
                                                  std::size_t expected_size = 0, Range range = {}) const;

@@ -106,6 +106,7 @@ Json report_json(const Scene& scene, const Resources& resources, const EngineFac
     report.update(derived_json(scene));
     report["reference_speed"] = scene.reference_speed;
     report["time_step"] = scene.time_step;
+    report["time_step_is_automatic"] = scene.time_step_is_automatic;
     report["time_step_limits"] = limits_json(scene);
     report["stages"] = stages_json(scene);
     report["steps"] = steps;
@@ -161,7 +162,8 @@ std::string cohesion_text(const Json& r) {
 }
 
 std::string time_text(const Json& r) {
-    std::string text = "Time step\n" + row("chosen", r["time_step"], "s");
+    const std::string by = r["time_step_is_automatic"].get<bool>() ? "chosen (auto)" : "chosen";
+    std::string text = "Time step\n" + row(by, r["time_step"], "s");
     for (const Json& limit : r["time_step_limits"]) {
         text +=
             fmt::format("  {:<46} {:>14} s   the step is {:.2f} % of it   {}{}\n", limit["name"].get<std::string>(),

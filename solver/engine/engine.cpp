@@ -24,7 +24,7 @@ void require_usable(const EngineSetup& setup, const ParticleTable& table) {
             throw InputError(fmt::format("particle {}: the radius is {} m; it must be positive", i, table.radius[i]));
         largest = std::max(largest, table.radius[i]);
     }
-    const double least = 2 * (2 * largest + setup.model.cut_off + limits::far_skin * setup.diameter);
+    const double least = 2 * (2 * largest + setup.model.cut_off + setup.skins.far * setup.diameter);
     if (setup.y_period > 0 && setup.y_period < least)
         throw InputError(
             fmt::format("the period in y is {:.4g} m, but must be at least {:.4g} m (two diameters of the "

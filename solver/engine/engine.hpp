@@ -8,6 +8,7 @@
 
 #include "common/vec3.hpp"
 #include "solver/contact/model.hpp"
+#include "solver/engine/list_skins.hpp"
 #include "solver/engine/wall.hpp"
 #include "solver/execution/resources.hpp"
 
@@ -33,6 +34,7 @@ struct EngineSetup {
     double y_period = 0;   ///< [m]; 0: not periodic
     Vec3 domain_lower;     ///< a centre outside the domain is a fault; entries may be infinite [m]
     Vec3 domain_upper;
+    ListSkins skins;
     Resources resources;
 };
 

@@ -25,7 +25,7 @@ public:
         s.totals.add(space, s.contacts, s.lost_rolling);
         clear_counters(space, s.contacts, s.lost_rolling);
         const double speed = std::max(s.last_travel, s.walls.fastest() * setup_.time_step);
-        s.margin = std::clamp(2 * speed * limits::steps_per_close_list, limits::least_margin * setup_.diameter,
+        s.margin = std::clamp(2 * speed * setup_.skins.close_steps, limits::least_margin * setup_.diameter,
                               limits::most_margin * setup_.diameter);
         const bool sorted = far_is_stale(space, s);
         if (sorted) {
@@ -57,7 +57,7 @@ public:
 
 private:
     [[nodiscard]] double range() const { return setup_.model.hamaker > 0 ? setup_.model.cut_off : 0; }
-    [[nodiscard]] double skin() const { return range() + limits::far_skin * setup_.diameter; }
+    [[nodiscard]] double skin() const { return range() + setup_.skins.far * setup_.diameter; }
 
     bool far_is_stale(Space& space, const SnapshotOf<Space>& s) const {
         if (s.far_reference.empty()) return true;

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "solver/scene/read_stages.hpp"
+#include "solver/scene/read_time_step.hpp"
 
 namespace recoat {
 namespace {
@@ -82,6 +83,7 @@ void read_particle_scene(const Config& config, const std::filesystem::path& fold
     if (config.has("stages") == config.has("duration")) {
         config.fail("", "the end of the run is not stated, or twice; give either duration or stages");
     }
+    read_time_step(config, scene);
     read_stages(config, 0, 0, scene);
 }
 

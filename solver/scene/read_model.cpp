@@ -1,6 +1,7 @@
 #include "solver/scene/read_model.hpp"
 
 #include "solver/contact/material.hpp"
+#include "solver/engine/limits.hpp"
 #include "solver/scene/model_options.hpp"
 
 namespace recoat {
@@ -72,6 +73,13 @@ void read_cohesion(const Config& cohesion, Scene& scene) {
     read_strength(cohesion, scene);
 }
 
+void read_skins(const Config& lists, Scene& scene) {
+    const double diameter = scene.diameter;
+    const Range skins{.lower = limits::most_margin * diameter, .upper = diameter, .lower_open = true};
+    scene.skins.far = lists.quantity_or("skin", Dimension::length, scene.skins.far * diameter, skins) / diameter;
+    scene.skins.close_steps = lists.number_or("close_steps", scene.skins.close_steps, {.lower = 1, .upper = 1e6});
+}
+
 }  // namespace
 
 void read_model(Config& config, Scene& scene) {
@@ -81,7 +89,7 @@ void read_model(Config& config, Scene& scene) {
     if (scene.gravity > 0) scene.reference_gravity = scene.gravity;
     scene.model.stiffness_ratio = config.number_or("stiffness_ratio", 1, {.lower = 0, .upper = 1, .lower_open = true});
     if (config.has("cohesion")) read_cohesion(config.section("cohesion"), scene);
-    scene.time_step = config.quantity("time_step", Dimension::time, Range::positive());
+    read_skins(config.section_or_empty("pair_lists"), scene);
 }
 
 }  // namespace recoat

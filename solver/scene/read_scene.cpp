@@ -51,21 +51,22 @@ void refuse_unstable_step(const Config& config, const Scene& scene) {
     }
 }
 
-/// The bounds of the sizes are those of the particles; the step must do for the smallest.
-void take_sizes_of(const ParticleTable& particles, const Config& config, Scene& scene) {
-    if (particles.size() == 0) return;
-    scene.smallest_diameter = 2 * std::ranges::min(particles.radius);
-    scene.largest_diameter = 2 * std::ranges::max(particles.radius);
-    refuse_unstable_step(config, scene);
+std::optional<DiameterBounds> diameters_of(const ParticleTable& particles) {
+    if (particles.size() == 0) return {};
+    return DiameterBounds{2 * std::ranges::min(particles.radius), 2 * std::ranges::max(particles.radius)};
 }
 
 }  // namespace
 
-Scene read_scene(Config config, const std::filesystem::path& folder) {
+Scene read_scene(Config config, const std::filesystem::path& folder, std::optional<DiameterBounds> diameters) {
     constexpr std::array<std::string_view, 2> kinds = {"spread", "particles"};
     Scene scene;
     scene.kind = config.choice("scene", kinds);
     read_model(config, scene);
+    if (diameters) {
+        scene.smallest_diameter = diameters->smallest;
+        scene.largest_diameter = diameters->largest;
+    }
     scene.seed = config.integer_or("seed", 1, Range::not_negative());
     if (scene.kind == "spread") {
         read_spread_scene(config, folder, scene);
@@ -80,11 +81,12 @@ Scene read_scene(Config config, const std::filesystem::path& folder) {
 }
 
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {
-    const Config config = Config::load(file, overrides);
-    Scene scene = read_scene(config, file.parent_path());
+    Scene scene = read_scene(Config::load(file, overrides), file.parent_path());
+    // Sizes that stand in another file are known only now; the step must do for the smallest.
+    if (!std::holds_alternative<ColumnSource>(scene.source))
+        scene = read_scene(Config::load(file, overrides), file.parent_path(), diameters_of(initial_particles(scene)));
     if (const auto* table = std::get_if<TableSource>(&scene.source)) scene.resolved += fingerprint(table->file);
     if (const auto* state = std::get_if<StateSource>(&scene.source)) scene.resolved += fingerprint(state->file);
-    if (!std::holds_alternative<ColumnSource>(scene.source)) take_sizes_of(initial_particles(scene), config, scene);
     return scene;
 }
 
@@ -93,6 +95,7 @@ EngineSetup engine_setup(const Scene& scene, const Resources& resources) {
     setup.model = scene.model;
     setup.gravity = {0, 0, -scene.gravity};
     setup.time_step = scene.time_step;
+    setup.skins = scene.skins;
     setup.diameter = scene.diameter;
     setup.y_min = 0;
     setup.y_period = scene.y_period;

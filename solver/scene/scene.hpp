@@ -10,6 +10,7 @@
 #include "common/vec3.hpp"
 #include "solver/contact/model.hpp"
 #include "solver/engine/engine.hpp"
+#include "solver/engine/list_skins.hpp"
 #include "solver/engine/wall.hpp"
 #include "solver/scene/size_distribution.hpp"
 #include "solver/scene/stage.hpp"
@@ -64,6 +65,8 @@ struct Scene {
     double gravity = 0;               ///< along -z [m/s2]
     double reference_gravity = 9.81;  ///< that of the Bond number where gravity is off [m/s2]
     double time_step = 0;             ///< [s]
+    bool time_step_is_automatic = false;
+    ListSkins skins;
     std::int64_t seed = 1;
     double y_period = 0;  ///< y runs from 0 to it; 0: not periodic [m]
     Vec3 domain_lower, domain_upper;

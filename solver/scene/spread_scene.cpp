@@ -6,6 +6,7 @@
 #include "common/number.hpp"
 #include "solver/scene/read_sizes.hpp"
 #include "solver/scene/read_stages.hpp"
+#include "solver/scene/read_time_step.hpp"
 
 namespace recoat {
 namespace {
@@ -141,6 +142,7 @@ void read_spread_scene(const Config& config, const std::filesystem::path& folder
         column->x_upper = blade_front + box.fill_length;
     }
     scene.spread = SpreadGeometry{blade.clearance, blade.position, 0, box.fill_length, blade.speed};
+    read_time_step(config, scene);
     read_stages(config, blade.height, blade.lift_speed, scene);
     check_room(config, box, blade, scene);
 }

@@ -44,6 +44,12 @@ double contact_time(const Scene& scene, double speed) {
     return 2.9432751843 * largest_impact_overlap(scene, speed) / speed;
 }
 
+double attraction_crossing_time(const Scene& scene) {
+    const Pair pair = reduced_pair(scene);
+    const double force = pull_off_force(scene.model.hamaker, pair.radius, scene.model.minimum_separation);
+    return std::sqrt(2 * pair.mass * scene.model.minimum_separation / force);
+}
+
 std::vector<StepLimit> time_step_limits(const Scene& scene) {
     const Pair pair = reduced_pair(scene);
     const double speed = scene.reference_speed;
@@ -58,9 +64,8 @@ std::vector<StepLimit> time_step_limits(const Scene& scene) {
         {"tangential contact frequency", "2/sqrt(3.5 S_t/m*)", 2 / std::sqrt(3.5 * tangential_stiffness / pair.mass),
          true}};
     if (scene.model.hamaker > 0) {
-        const double force = pull_off_force(scene.model.hamaker, pair.radius, scene.model.minimum_separation);
-        limits.push_back({"van der Waals solve", "sqrt(2 m* s_min/F_o): b F_o/s_min = 1",
-                          std::sqrt(2 * pair.mass * scene.model.minimum_separation / force), false});
+        limits.push_back(
+            {"van der Waals solve", "sqrt(2 m* s_min/F_o): b F_o/s_min = 1", attraction_crossing_time(scene), false});
     }
     return limits;
 }

@@ -21,6 +21,10 @@ double largest_impact_overlap(const Scene& scene, double speed);
 /// Duration of that impact [s].
 double contact_time(const Scene& scene, double speed);
 
+/// sqrt(2 m* s_min/F_o) [s]: the smallest spheres cross s_min in it under their largest attraction F_o; the impulse of
+/// a longer step needs more than a fixed point [docs/physics.md section 2.5].
+double attraction_crossing_time(const Scene& scene);
+
 /// Every limit for the smallest spheres of the scene with the reduced stiffness [docs/physics.md sections 2.5 and 4.1]:
 /// frequencies grow as 1/R or faster as spheres get smaller.
 std::vector<StepLimit> time_step_limits(const Scene& scene);
