@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench static bench-analyzer stress fuzz sanitize clean faults verification
+.PHONY: setup programs build reproduce test lint bench static bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
 
 setup:
 	@./setup.sh
@@ -69,3 +69,8 @@ faults: build
 bench-analyzer: build
 	@.venv/bin/python -m venv build/peers && build/peers/bin/pip install --quiet -r bench/requirements.txt
 	@PEER_PYTHON=build/peers/bin/python .venv/bin/python bench/analyzer.py bench/results/analyzer.json
+
+# Error against run time, from which the automatic time step follows (docs/accuracy.md); goes on where it was stopped.
+bench-accuracy: build
+	@snakemake --snakefile bench/accuracy/Snakefile --cores $(CORES) --rerun-triggers mtime --quiet rules
+	@echo "Numbers and figures:" && ls bench/results/accuracy*

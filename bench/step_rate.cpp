@@ -78,17 +78,23 @@ double seconds() { return std::chrono::duration<double>(std::chrono::steady_cloc
 struct Options {
     std::string path;
     double bond = 0, length = 1e-3, width = 1e-3, time_step = 2e-8;
+    CohesionScheme scheme = CohesionScheme::discrete_gradient;
     std::int64_t warm = 500, steps = 2000, tiles = 1;
     Resources resources;
 };
 
 void add_options(CLI::App& app, Options& o) {
     static const std::map<std::string, Backend> backends = {{"cpu", Backend::cpu}, {"cuda", Backend::cuda}};
+    static const std::map<std::string, CohesionScheme> schemes = {
+        {"discrete_gradient", CohesionScheme::discrete_gradient},
+        {"explicit_force", CohesionScheme::explicit_force},
+        {"prediction_correction", CohesionScheme::prediction_correction}};
     app.add_option("bed", o.path, "CSV file: x,y,z,radius[,vx,vy,vz], SI units")->required();
     app.add_option("--bond", o.bond, "Bond number");
     app.add_option("--length", o.length, "distance of the end walls [m]");
     app.add_option("--width", o.width, "period in y [m]");
     app.add_option("--time-step", o.time_step, "[s]");
+    app.add_option("--scheme", o.scheme, "of the attraction")->transform(CLI::CheckedTransformer(schemes));
     app.add_option("--warm", o.warm, "steps before the clock starts");
     app.add_option("--steps", o.steps, "steps timed");
     app.add_option("--tiles", o.tiles, "beds side by side along y");
@@ -100,6 +106,7 @@ void add_options(CLI::App& app, Options& o) {
 std::unique_ptr<Engine> engine_for(const Options& o, const ParticleTable& bed) {
     EngineSetup setup;
     setup.model = paper_model(o.bond);
+    setup.model.scheme = o.scheme;
     setup.gravity = {0, 0, -9.81};
     setup.time_step = o.time_step;
     setup.diameter = 5e-5;

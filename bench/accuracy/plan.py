@@ -8,7 +8,8 @@ from pathlib import Path
 import yaml
 
 PAPER_RATIO = 0.001  # of a group that names none
-TwoBodyCase = namedtuple("TwoBodyCase", "bond ratio scheme time_step")
+SHORTEST_STEP = 5e-9  # of two bodies [s]
+TwoBodyCase = namedtuple("TwoBodyCase", "bond ratio scheme shortest_step")
 
 
 @dataclass(frozen=True)
@@ -68,13 +69,12 @@ KEYS = ("kind", "bond", "ratio", "time_step", "scheme", "shortcut", "skin", "clo
 
 @dataclass
 class Plan:
-    """Everything to be run: `runs` and `two_body` by name, `groups` as lists of names by study."""
+    """Everything to be run: `runs` and `two_body` by name, `groups` as lists of names by study; `grid` is
+    the common part of all cases of two bodies."""
 
     scene: str
     folder: str
-    phases: int
-    bond_numbers: list
-    schemes: list
+    grid: dict
     two_body: dict
     runs: dict
     groups: dict
@@ -83,11 +83,11 @@ class Plan:
 def two_body_cases(grid):
     """Every scheme at the ratio of the paper; the default at the others."""
     cases = {}
-    for ratio, steps in grid["time_steps"].items():
-        schemes = grid["schemes"] if float(ratio) == PAPER_RATIO else grid["schemes"][:1]
-        for bond, scheme, step in product(grid["bond_numbers"], schemes, steps):
-            case = TwoBodyCase(float(bond), float(ratio), scheme, float(step))
-            cases[f"bond-{bond:g}_ratio-{float(ratio):g}_{scheme}_step-{float(step):g}"] = case
+    for ratio in map(float, grid["stiffness_ratios"]):
+        schemes = grid["schemes"] if ratio == PAPER_RATIO else grid["schemes"][:1]
+        shortest = {float(key): float(value) for key, value in grid["shortest_step"].items()}.get(ratio, SHORTEST_STEP)
+        for bond, scheme in product(grid["bond_numbers"], schemes):
+            cases[f"bond-{bond:g}_ratio-{ratio:g}_{scheme}"] = TwoBodyCase(float(bond), ratio, scheme, shortest)
     return cases
 
 
@@ -133,9 +133,7 @@ def read_plan(path):
     return Plan(
         scene=plan["scene"],
         folder=plan["folder"],
-        phases=grid["phases"],
-        bond_numbers=grid["bond_numbers"],
-        schemes=grid["schemes"],
+        grid={key: grid[key] for key in ("phases", "steps_per_decade", "ramp", "bond_numbers", "schemes")},
         two_body=two_body_cases(grid),
         runs=dict(sorted(runs.items(), key=lambda item: (item[1].kind, item[1].time_step))),
         groups=groups,

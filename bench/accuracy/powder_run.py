@@ -7,12 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-sys.path.insert(0, "workflow/scripts")
-
-from bed_region import bed_region
-from layer_region import layer_region
-from reporting import write_json
-from states import read_state
+from workflow_scripts import bed_region, layer_region, read_state, write_json
 
 ANALYSIS = {"voxels_per_dp": [], "bootstrap_resamples": 0, "chamber_min_diameter": 0.5}  # pores: metrics.md
 

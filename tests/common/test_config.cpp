@@ -49,6 +49,25 @@ TEST(Config, FallbacksStandInForAbsentKeysOnly) {
     EXPECT_FALSE(config.boolean_or("g", false));
 }
 
+TEST(Config, WordInPlaceOfAValue) {
+    const auto config = parse("step: auto\nlist: [auto]\n");
+    EXPECT_TRUE(config.is_word("step", "auto"));
+    EXPECT_FALSE(config.is_word("step", "none"));
+    EXPECT_FALSE(config.is_word("list", "auto"));
+    EXPECT_FALSE(config.is_word("absent", "auto"));
+}
+
+TEST(Config, SettledValueIsReadAndResolvedInItsPlace) {
+    const auto config = parse("first: 1\nstep: auto\n");
+    config.settle("step", "2e-08 s");
+    config.settle("skin", "5 um");
+    EXPECT_EQ(config.quantity("step", Dimension::time), 2e-8);
+    EXPECT_EQ(config.quantity("skin", Dimension::length), 5e-6);
+    EXPECT_EQ(config.integer("first"), 1);
+    EXPECT_EQ(config.resolved(), "first: 1\nstep: 2e-08 s\nskin: 5 um\n");
+    EXPECT_NO_THROW(config.finish());
+}
+
 TEST(Config, ReadsJson) {
     auto config =
         Config::parse(R"({"d_p": 5e-05, "analysis": {"window": [0, 0.01], "on": true}, "text": "a b"})", "a.json");

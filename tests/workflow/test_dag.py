@@ -62,16 +62,24 @@ def change(workflow, grid, **values):
         ({"layers": None}, "'layers' is a required property"),
         ({"layers": [{"bond_numbers": [-5], "stiffness_ratios": [0.001]}]}, "-5 is less than the minimum of 0"),
         ({"layers": [{"bond_numbers": ["high"], "stiffness_ratios": [0.001]}]}, "'high' does not match"),
-        (
-            {"layers": [{"bond_numbers": [5], "stiffness_ratios": [0.5]}]},
-            "at stiffness ratio 0.5 has no time step; add it to time_steps",
-        ),
+        ({"time_steps": [{"stiffness_ratio": 0.001, "time_step": "soon"}]}, "'soon' does not match"),
     ],
 )
 def test_bad_grid_is_refused(workflow, doubles, values, sentence):
     change(workflow, "smoke", **values)
     code, output = workflow("--dry-run", "--configfile", "config/smoke.yaml", build=doubles)
     assert code != 0 and sentence in output, output
+
+
+def test_case_without_a_time_step_takes_the_automatic_one(workflow, doubles):
+    steps = [{"stiffness_ratio": 0.001, "largest_bond_number": 1, "time_step": "1e-7 s"}]
+    layers = [{"bond_numbers": [1, 5], "stiffness_ratios": [0.001]}]
+    change(workflow, "smoke", layers=layers, fills=None, time_steps=steps)
+    code, output = workflow("--dry-run", "--printshellcmds", "--configfile", "config/smoke.yaml", build=doubles)
+    assert code == 0, output
+    runs = [line for line in output.splitlines() if "recoat-solve run" in line]
+    chosen = {bond: {line.split("time_step=")[1].split()[0].strip("'") for line in runs if f"bond_number={bond}" in line} for bond in (1, 5)}
+    assert chosen == {1: {"1e-7"}, 5: {"auto"}}
 
 
 def test_one_number_written_in_two_ways_is_one_case(workflow, doubles):

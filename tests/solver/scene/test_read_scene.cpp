@@ -94,5 +94,13 @@ TEST(ReadScene, EngineSetUpIsThatOfTheScene) {
     EXPECT_EQ(setup.resources.threads, 3);
 }
 
+TEST(ReadScene, SkinsOfThePairListsReachTheEngine) {
+    EXPECT_EQ(engine_setup(scene_of(spread_text), {}).skins, ListSkins{});
+    const Scene scene = scene_of(spread_text, {"pair_lists.skin=10 um", "pair_lists.close_steps=250"});
+    EXPECT_DOUBLE_EQ(engine_setup(scene, {}).skins.far, 0.2);
+    EXPECT_EQ(engine_setup(scene, {}).skins.close_steps, 250);
+    EXPECT_THROW(scene_of(spread_text, {"pair_lists.skin=0.02 dp"}), InputError);
+}
+
 }  // namespace
 }  // namespace recoat
