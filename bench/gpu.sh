@@ -58,7 +58,7 @@ measure_rates() {
     for tiles in 1 10 100 1000; do
         for bo in 0 50 400; do
             [ $SECONDS -lt $end ] || break 2
-            line=$(timeout $((end - SECONDS)) "$build/bench/step-rate" "$out/bed.csv" --backend cuda --device "$device" \
+            line=$(timeout $((end - SECONDS)) "$build/bench/step-rate" "$out/bed.csv" --scene "$root/config/scene.yaml" --backend cuda --device "$device" \
                 --tiles $tiles --bond $bo --steps $((tiles > 100 ? 500 : 5000)) 2>>"$out/rates.log") || continue
             echo "$line" | tee -a "$out/rates.log"
             lines+=("$line")

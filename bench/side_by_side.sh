@@ -17,7 +17,7 @@ awk -F, 'NR > 1 { rows[++n] = n " 1 " 2 * $4 " 4430 " $1 " " $2 " " $3 }
 
 export OMP_NUM_THREADS=1
 for ((k = 0; k < repeats; ++k)); do
-    "$program" "$work/bed.csv" --warm $warm --steps "$steps" >>"$work/recoat"
+    "$program" "$work/bed.csv" --scene "$root/config/scene.yaml" --warm $warm --steps "$steps" >>"$work/recoat"
     (cd "$work" && liggghts -in "$root/bench/peers/liggghts.in" -log none -var data bed.data -var warm $warm \
         -var steps "$steps" -var skin "$skin" >log 2>&1)
     awk -v s="$steps" '/^Loop time of/ { t = $4; for (i = 5; i < NF; ++i) if ($i == "with") n = $(i + 1) }

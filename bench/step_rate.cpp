@@ -6,12 +6,14 @@
 #include <memory>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "common/error.hpp"
-#include "solver/contact/material.hpp"
+#include "common/number.hpp"
 #include "solver/engine/engine.hpp"
+#include "solver/scene/read_scene.hpp"
 
 namespace {
 
@@ -52,20 +54,6 @@ ParticleTable tiled(const ParticleTable& bed, std::int64_t tiles, double width) 
     return table;
 }
 
-/// The material of the paper's Table 1 at a stiffness ratio of 0.001.
-ContactModel paper_model(double bond_number) {
-    ContactModel model;
-    model.density = 4430;
-    model.youngs_modulus = 110e9;
-    model.poisson_ratio = 0.3;
-    model.restitution = 0.4;
-    model.sliding_friction = 0.3;
-    model.rolling_friction = 0.01;
-    model.stiffness_ratio = 0.001;
-    model.hamaker = hamaker_from_bond(bond_number, 25e-6, model.density, 9.81, model.minimum_separation);
-    return model;
-}
-
 double coordination_number(const Engine& engine, std::size_t particles) {
     double touching = 0;
     for (const ContactState& contact : engine.contacts())
@@ -76,25 +64,21 @@ double coordination_number(const Engine& engine, std::size_t particles) {
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
 struct Options {
-    std::string path;
-    double bond = 0, length = 1e-3, width = 1e-3, time_step = 2e-8;
-    CohesionScheme scheme = CohesionScheme::discrete_gradient;
+    std::string path, scene = "config/scene.yaml";
+    std::vector<std::string> settings;
+    double bond = 0, length = 1e-3, width = 1e-3;
     std::int64_t warm = 500, steps = 2000, tiles = 1;
     Resources resources;
 };
 
 void add_options(CLI::App& app, Options& o) {
     static const std::map<std::string, Backend> backends = {{"cpu", Backend::cpu}, {"cuda", Backend::cuda}};
-    static const std::map<std::string, CohesionScheme> schemes = {
-        {"discrete_gradient", CohesionScheme::discrete_gradient},
-        {"explicit_force", CohesionScheme::explicit_force},
-        {"prediction_correction", CohesionScheme::prediction_correction}};
     app.add_option("bed", o.path, "CSV file: x,y,z,radius[,vx,vy,vz], SI units")->required();
     app.add_option("--bond", o.bond, "Bond number");
     app.add_option("--length", o.length, "distance of the end walls [m]");
     app.add_option("--width", o.width, "period in y [m]");
-    app.add_option("--time-step", o.time_step, "[s]");
-    app.add_option("--scheme", o.scheme, "of the attraction")->transform(CLI::CheckedTransformer(schemes));
+    app.add_option("--scene", o.scene, "scene file: the model and the step are taken from it");
+    app.add_option("--set", o.settings, "a.b=v: overrides");
     app.add_option("--warm", o.warm, "steps before the clock starts");
     app.add_option("--steps", o.steps, "steps timed");
     app.add_option("--tiles", o.tiles, "beds side by side along y");
@@ -104,16 +88,12 @@ void add_options(CLI::App& app, Options& o) {
 }
 
 std::unique_ptr<Engine> engine_for(const Options& o, const ParticleTable& bed) {
-    EngineSetup setup;
-    setup.model = paper_model(o.bond);
-    setup.model.scheme = o.scheme;
-    setup.gravity = {0, 0, -9.81};
-    setup.time_step = o.time_step;
-    setup.diameter = 5e-5;
+    std::vector<std::string> settings = o.settings;
+    settings.push_back("cohesion.bond_number=" + shortest(o.bond));
+    EngineSetup setup = engine_setup(load_scene(o.scene, settings), o.resources);
     setup.y_period = o.width * static_cast<double>(o.tiles);
     setup.domain_lower = {-1, -1, -1};
     setup.domain_upper = {1, 1, 1};
-    setup.resources = o.resources;
     const auto plane = [](const char* name, Vec3 point, Vec3 normal) {
         return Wall{name, WallKind::plane, point, normal, {}, {}, {}, true};
     };

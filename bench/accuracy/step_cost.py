@@ -16,7 +16,8 @@ REPEATS = 3
 
 def rate(build, bed, bond, scheme, step):
     """Particle-steps per second of one core, the best of some tries."""
-    command = [f"{build}/bench/step-rate", bed, "--bond", str(bond), "--scheme", scheme, "--time-step", str(step)]
+    command = [f"{build}/bench/step-rate", bed, "--bond", str(bond)]
+    command += ["--set", f"cohesion.scheme={scheme}", "--set", f"time_step={step!r} s"]
     command += ["--threads", "1", "--warm", "200", "--steps", "300"]
     tries = [subprocess.run(command, capture_output=True, text=True, check=True).stdout for _ in range(REPEATS)]
     return max(json.loads(text)["particle_steps_per_second"] for text in tries)
