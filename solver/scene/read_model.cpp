@@ -75,7 +75,7 @@ void read_cohesion(const Config& cohesion, Scene& scene) {
 
 void read_skins(const Config& lists, Scene& scene) {
     const double diameter = scene.diameter;
-    const Range skins{.lower = limits::most_margin * diameter, .upper = diameter, .lower_open = true};
+    const Range skins{.lower = 1.5 * limits::most_margin * diameter, .upper = diameter};
     scene.skins.far = lists.quantity_or("skin", Dimension::length, scene.skins.far * diameter, skins) / diameter;
     scene.skins.close_steps = lists.number_or("close_steps", scene.skins.close_steps, {.lower = 1, .upper = 1e6});
 }
