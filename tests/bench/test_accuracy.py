@@ -1,0 +1,103 @@
+"""The plan of `make bench-accuracy`, its statistics, and that its results are those of the plan and the solver of today."""
+
+import json
+import subprocess
+import sys
+
+import numpy
+import pytest
+
+
+@pytest.fixture(scope="module")
+def modules(root):
+    """The scripts of bench/accuracy, which import each other by their plain names."""
+    sys.path.insert(0, str(root / "bench/accuracy"))
+    import plan
+    import recommend
+    import statistics_of_runs
+    import two_body_errors
+
+    yield {"plan": plan, "recommend": recommend, "statistics": statistics_of_runs, "two_body": two_body_errors}
+    sys.path.remove(str(root / "bench/accuracy"))
+
+
+@pytest.fixture(scope="module")
+def read_plan(root, modules):
+    return modules["plan"].read_plan(root / "bench/accuracy/plan.yaml")
+
+
+@pytest.fixture(scope="module")
+def results(root):
+    return json.loads((root / "bench/results/accuracy.json").read_text())
+
+
+def test_every_run_has_a_name_of_its_own(read_plan):
+    settings = [json.dumps(run.settings(), sort_keys=True) for run in read_plan.runs.values()]
+    assert len(set(settings)) == len(read_plan.runs)
+    assert {name for members in read_plan.groups.values() for name in members} == set(read_plan.runs)
+
+
+def test_results_are_those_of_the_plan(read_plan, results):
+    planned = {name: len(members) for name, members in read_plan.groups.items()}
+    assert {name: sum(entry["runs"] for entry in entries) for name, entries in results["powder"].items()} == planned
+    assert len(results["two_body"]) == len(read_plan.two_body)
+    assert results["powder_runs"] == len(read_plan.runs)
+
+
+def test_automatic_steps_are_those_of_the_solver(root, build, results):
+    for case in results["two_body"]:
+        settings = [f"cohesion.bond_number={case['bond']}", f"stiffness_ratio={case['ratio']}", "time_step=auto"]
+        command = [build / "solver/recoat-solve", "check", root / "config/scene.yaml", "--json"]
+        command += [part for setting in settings for part in ("--set", setting)]
+        report = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+        assert report["time_step"] == case["automatic_step"], settings
+
+
+def test_steps_are_even_on_a_logarithmic_scale(modules):
+    steps = modules["two_body"].steps_from(5e-9, 10)
+    assert [next(steps) for _ in range(5)] == [5e-9, 6.3e-9, 7.9e-9, 1e-8, 1.3e-8]
+
+
+def test_spread_takes_the_worst_phase_with_its_sign(modules):
+    spread = modules["two_body"].spread
+    assert spread([0.98, 1.01], 1) == pytest.approx({"mean": -0.005, "worst": -0.02})
+    assert spread([None, 1], 1) == {"mean": None, "worst": None}
+
+
+def test_a_step_counts_only_up_to_the_first_failure(modules):
+    rows = [{"time_step": step, "good": step not in (3, 5)} for step in (4, 1, 2, 3, 5)]
+    assert modules["recommend"].longest_before_failure(rows, lambda row: row["good"]) == 2
+    assert modules["recommend"].longest_before_failure(rows, lambda row: False) is None
+    assert modules["recommend"].longest_before_failure(rows, lambda row: True) == 5
+
+
+def test_pooled_scatter_is_that_within_the_groups(modules):
+    """Against the textbook: squares about the own mean of each group, over what is free."""
+    random = numpy.random.default_rng(3)
+    groups = [random.normal(5, 2, size) for size in (4, 7, 9)]
+    runs = [[{"exit_code": 0, "quantities": {"q": value}} for value in group] for group in groups]
+    entries = [{"quantities": {"q": modules["statistics"].spread(members, "q")}} for members in runs]
+    pooled = modules["statistics"].pooled(entries, "q")
+    squares = sum(((group - group.mean()) ** 2).sum() for group in groups)
+    assert pooled["mean"] == pytest.approx(numpy.concatenate(groups).mean())
+    assert pooled["scatter"] == pytest.approx((squares / (4 + 7 + 9 - 3)) ** 0.5)
+
+
+def test_a_layer_that_is_off_is_not_recommended(modules):
+    def entry(step, values):
+        runs = [{"exit_code": 0, "quantities": {"q": value}} for value in values]
+        return {
+            "kind": "layer",
+            "bond": 5,
+            "time_step": step,
+            "faults": 0,
+            "energy_balance_error": 1e-3,
+            "quantities": {"q": modules["statistics"].spread(runs, "q")},
+        }
+
+    near = [entry(2e-8, [1.0, 1.1, 0.9]), entry(1e-7, [1.05, 0.95, 1.0]), entry(2e-7, [1.5, 1.4, 1.6])]
+    (found,) = modules["recommend"].recommended_steps([], near)["powder"]
+    assert found["longest_step"] == 1e-7
+    near[1]["faults"] = 1
+    (found,) = modules["recommend"].recommended_steps([], near)["powder"]
+    assert found["longest_step"] == 2e-8
