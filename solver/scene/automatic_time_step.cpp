@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
+#include "common/number.hpp"
 #include "solver/scene/time_step_limits.hpp"
 
 namespace recoat {
@@ -14,7 +17,8 @@ constexpr double share_of_crossing_time = 0.25;
 
 double two_digits_down(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
-    return std::floor(value / unit * (1 + 1e-12)) * unit;
+    // By way of its text: the nearest double to two digits, so that the configuration shows two.
+    return *parse_number(fmt::format("{:.1e}", std::floor(value / unit * (1 + 1e-12)) * unit));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include "common/number.hpp"
 #include "common/output_file.hpp"
 #include "solver/scene/automatic_time_step.hpp"
 #include "solver/scene/time_step_limits.hpp"
@@ -91,6 +92,11 @@ TEST(AutomaticTimeStep, keeps_beds_and_layers) {
         EXPECT_LE(scene.time_step, row.at("longest_step").get<double>()) << row;
         EXPECT_GT(scene.time_step, 0.2 * row.at("longest_step").get<double>()) << row;
     }
+}
+
+TEST(AutomaticTimeStep, has_two_digits) {
+    for (const char* bond : {"0", "5", "100", "200", "300", "400", "1000"})
+        EXPECT_LE(shortest(automatic(bond, "0.001").time_step).size(), std::string("7.2e-08").size()) << bond;
 }
 
 TEST(AutomaticTimeStep, refuses_other_words) {
