@@ -7,7 +7,7 @@ import subprocess
 from itertools import groupby
 from pathlib import Path
 
-from recommend import recommended_steps
+from recommend import gain_at_equal_error, recommended_steps
 from statistics_of_runs import summarise
 from workflow_scripts import read_json, write_json
 
@@ -71,6 +71,7 @@ if __name__ == "__main__":
             "powder_runs": len(runs),
             "powder_processor_seconds": sum(run["processor_seconds"] for run in runs),
             "recommended": recommended_steps(two_body, powder["time_step"]),
+            "equal_error": gain_at_equal_error(two_body),
             "step_rates": costs,
             "two_body": two_body,
             "powder": powder,

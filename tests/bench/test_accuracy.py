@@ -71,6 +71,25 @@ def test_a_step_counts_only_up_to_the_first_failure(modules):
     assert modules["recommend"].longest_before_failure(rows, lambda row: True) == 5
 
 
+def test_gain_compares_costs_at_the_same_error(modules):
+    def case(scheme, errors, seconds):
+        worst = [{f"capture velocity, {kind}": {"worst": error} for kind in ("pair", "wall")} for error in errors]
+        steps = zip((1e-8, 2e-8, 4e-8), worst, seconds)
+        rows = [{"time_step": step, "errors": error, "processor_seconds": cost} for step, error, cost in steps]
+        return {"bond": 5, "ratio": 0.001, "scheme": scheme, "steps": rows}
+
+    cases = [
+        case("discrete_gradient", (1e-3, -5e-3, 9e-3), (8, 4, 2)),
+        case("explicit_force", (2e-3, 0.02, 1e-3), (6, 3, 1.5)),
+        case("prediction_correction", (0.02, 0.02, None), (6, 3, 1.5)),
+    ]
+    rows = modules["recommend"].gain_at_equal_error(cases)
+    assert [(row["scheme"], row["longest_step"], row["gain"]) for row in rows] == [
+        ("discrete_gradient", 4e-8, 1),
+        ("explicit_force", 1e-8, 3),
+    ]
+
+
 def test_pooled_scatter_is_that_within_the_groups(modules):
     """Against the textbook: squares about the own mean of each group, over what is free."""
     random = numpy.random.default_rng(3)
