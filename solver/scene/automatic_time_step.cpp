@@ -12,8 +12,8 @@ namespace recoat {
 namespace {
 
 // Both from bench/results/accuracy.json, which `make bench-accuracy` measures.
-constexpr double share_of_contact_time = 0.035;
-constexpr double share_of_crossing_time = 0.25;
+constexpr double share_of_contact_time = 0.0225;
+constexpr double share_of_crossing_time = 0.24;
 
 double two_digits_down(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
