@@ -3,6 +3,8 @@
 
 extern "C" {
 
+// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp): the runtimes ask for these names.
+
 const char* __asan_default_options() {
     return "detect_leaks=1:detect_stack_use_after_return=1:check_initialization_order=1:strict_init_order=1:"
            "strict_string_checks=1";
@@ -14,4 +16,5 @@ const char* __ubsan_default_options() { return "print_stacktrace=1"; }
 const char* __tsan_default_options() {
     return "halt_on_error=1:second_deadlock_stack=1:history_size=4:ignore_noninstrumented_modules=1";
 }
+// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 }

@@ -1,6 +1,7 @@
 """What other choices cost and change: stiffness ratio, scheme, stages cut short, skins of the pair lists."""
 
 import numpy
+from matplotlib.ticker import NullLocator
 
 from workflow_scripts import MARKERS, PAGE, pyplot, read_json
 
@@ -60,6 +61,8 @@ def skins(axes, study):
             label=label,
         )
     axes.set(xscale="log", title="Pair lists", xlabel="over the default", ylabel="processor ns per particle-step")
+    axes.set_xticks([0.25, 0.5, 1, 2, 4], ["1/4", "1/2", "1", "2", "4"])
+    axes.xaxis.set_minor_locator(NullLocator())
     axes.set_ylim(bottom=0)
     axes.legend()
 
