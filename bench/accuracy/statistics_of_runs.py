@@ -2,6 +2,8 @@
 
 import numpy
 
+PLACE = " The state of the moment before"  # begins where a fault says where its state is, which is not kept
+
 
 def summarise(runs):
     """One entry for runs that differ in the seed only.
@@ -12,7 +14,7 @@ def summarise(runs):
     summary = {
         "runs": len(runs),
         "faults": len(runs) - len(good),
-        "sentences": sorted({run["sentence"] for run in runs if run["exit_code"] != 0}),
+        "sentences": sorted({run["sentence"].split(PLACE)[0] for run in runs if run["exit_code"] != 0}),
     }
     if not good:
         return summary
