@@ -57,7 +57,8 @@ void Config::add_default_list(std::string_view key, Dimension dimension, Vec3 va
 
 std::vector<std::string> Config::texts(std::string_view key) const {
     std::vector<std::string> words;
-    for (const auto& item : take_list(key, "a list of words", 0)->items) words.push_back(item->text);
+    const ConfigNode::Pointer list = take_list(key, "a list of words", 0);
+    for (const auto& item : list->items) words.push_back(item->text);
     return words;
 }
 

@@ -13,6 +13,9 @@ elseif(RECOAT_SANITIZE STREQUAL "thread")
     # Accesses of more than 16 bytes, and gathers, are passed over by this sanitizer: no vector loops, forced ones included.
     target_compile_options(recoat_options INTERFACE
         "$<${cxx}:-fno-slp-vectorize;SHELL:-mllvm -force-vector-width=1;SHELL:-mllvm -force-vector-interleave=1>")
+    # OpenVDB's loops over oneTBB hand over work; those of its compiled part are not seen, so ours are compiled here.
+    target_compile_options(recoat_options INTERFACE
+        "$<${cxx}:SHELL:-include ${PROJECT_SOURCE_DIR}/tests/sanitizers/openvdb_in_headers.hpp>")
     if(NOT EXISTS ${TBB_DIR}/TBBConfig.cmake)
         message(FATAL_ERROR "RECOAT_SANITIZE=thread needs a oneTBB that tells the sanitizer which of its threads waits "
                             "for which; there is none in TBB_DIR (${TBB_DIR}): call tests/sanitizers/build_tbb.sh first")

@@ -75,12 +75,14 @@ openvdb::FloatGrid::Ptr distance_grid(const Layer& layer, const AnalysisConfig& 
     auto grid = openvdb::FloatGrid::create(static_cast<float>(half_width * side));
     grid->setTransform(transform.copy());
     grid->setGridClass(openvdb::GRID_LEVEL_SET);
+    grid->setName("distance");
+    const SphereList spheres(layer, config);
+    if (spheres.size() == 0) return grid;  // The library reads the first of no spheres.
     openvdb::tools::ParticlesToLevelSet<openvdb::FloatGrid> raster(*grid);
     raster.setRmin(0);
     raster.setRmax(std::numeric_limits<double>::max());
-    raster.rasterizeSpheres(SphereList(layer, config));
+    raster.rasterizeSpheres(spheres);
     raster.finalize(true);
-    grid->setName("distance");
     return grid;
 }
 

@@ -32,12 +32,28 @@ int after_free() {
     return *opaque(place);
 }
 
+// No `opaque` here: a function with assembly in it keeps its locals where nothing notices their end.
+int* volatile place_of_local = nullptr;
+
+[[gnu::noinline]] void leave_a_local() {
+    int local[8] = {};
+    place_of_local = &local[3];
+}
+
+int after_return() {
+    leave_a_local();
+    return *place_of_local;
+}
+
 void leak() {
     for (int k = 0; k < 100; ++k) opaque(std::malloc(100));
 }
 
 TEST(Planted, ReadBehindTheEnd) { expect_finding(after_the_end, "heap-buffer-overflow"); }
 TEST(Planted, UseAfterFree) { expect_finding(after_free, "heap-use-after-free"); }
+TEST(Planted, UseAfterReturn) {
+    expect_finding([] { return opaque(after_return()); }, "stack-use-after-return");
+}
 TEST(Planted, Leak) { expect_finding(leak, "detected memory leaks"); }
 
 TEST(Planted, SignedOverflow) {
