@@ -17,8 +17,9 @@ const char* __tsan_default_options() {
     return "halt_on_error=1:second_deadlock_stack=1:history_size=4:ignore_noninstrumented_modules=1";
 }
 
-/// One race of a library that is one, and of no consequence to us: OpenVDB's rasterisation lets every thread write how many
-/// particles it left out into the same two numbers. With the bounds of radii that we set these are always 0, and not read.
+/// One race of a library that is one, and of no consequence: in OpenVDB's rasterisation every thread writes how many
+/// particles it left out into the same two numbers. With the bounds of radii that we set these are 0, and nobody reads
+/// them.
 const char* __tsan_default_suppressions() { return "race_top:openvdb/tools/ParticlesToLevelSet.h\n"; }
 // NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp)
 }
