@@ -68,7 +68,7 @@ void EnergyWatch::check(const Engine& engine) const {
     throw SimulationFault(
         fmt::format("step {} (t = {:.6g} s): energy {}: {:.3g} J, {:.3g} of all energy exchanged since the start and "
                     "more than {:g} "
-                    "of it, are not accounted for; the time step is too large for the contacts ({}): reduce time_step.",
+                    "of it, are not accounted for; the time step is too large for the contacts ({}): reduce time_step",
                     engine.step(), engine.time(), error > 0 ? "appears" : "vanishes", error, std::abs(error) / scale,
                     limit, suspect(engine, particles, scene_)));
 }

@@ -125,9 +125,10 @@ void StageRunner::fault(const SimulationFault& error) {
         write_state(file, state_info(scene_, scene_.stages[stage].name, options_.resources.backend),
                     state_of_engine(engine_, scene_.y_period));
     } catch (const InputError& problem) {
-        throw SimulationFault(std::string(error.what()) + " The state of the moment before is lost: " + problem.what());
+        throw SimulationFault(std::string(error.what()) +
+                              ". The state of the moment before is lost: " + problem.what());
     }
-    throw SimulationFault(std::string(error.what()) + " The state of the moment before is in " + file.string() + ".");
+    throw SimulationFault(std::string(error.what()) + ". The state of the moment before is in " + file.string() + ".");
 }
 
 void StageRunner::sample() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 
 #include "solver/scene/scene.hpp"
@@ -19,7 +20,10 @@ struct LedgerCheck {
 /// any moment, and a contact that begins within a step has missed up to one. A contact moves its energy in 1/w, so both
 /// are at most of the order of w dt of the energy exchanged. A run whose error passes a tenth is stopped by its own
 /// watch. So a ledger is closed when its error is below min(w dt, 0.1).
-LedgerCheck check_ledger(const Scene& scene, const std::filesystem::path& energy, double largest_overlap,
-                         const ParticleTable& start);
+///
+/// Throws InputError where `energy` is not the whole series of `steps` steps (read_ledger_rows()), or the balance of a
+/// row is not a finite number.
+LedgerCheck check_ledger(const Scene& scene, const std::filesystem::path& energy, std::int64_t steps,
+                         double largest_overlap, const ParticleTable& start);
 
 }  // namespace recoat::stress

@@ -59,7 +59,11 @@ int try_all(const Arguments& arguments) {
     write_text_file(fs::path(arguments.out) / "tally.json", tally.json(arguments.seed));
     write_text_file(fs::path(arguments.out) / "tally.md", tally.markdown(arguments.seed));
     std::fputs(tally.markdown(arguments.seed).c_str(), stdout);
-    return tally.failures() == 0 ? 0 : 1;
+    if (tally.failures() > 0)
+        std::fprintf(stderr, "stress: %lld scenes went wrong\n", static_cast<long long>(tally.failures()));
+    const std::optional<std::string> one_sided = tally.one_sided();
+    if (one_sided) std::fprintf(stderr, "stress: %s\n", one_sided->c_str());
+    return tally.failures() == 0 && !one_sided ? 0 : 1;
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,9 @@ public:
     void add(std::uint64_t index, const Case& scene, const Verdict& verdict);
 
     [[nodiscard]] std::int64_t failures() const { return failures_; }
+    /// Why these scenes show little, although each may have ended well: too few came to their end, hardly one met a
+    /// fault, or too many were refused. Nothing of fewer than 40 scenes.
+    [[nodiscard]] std::optional<std::string> one_sided() const;
     [[nodiscard]] std::string json(std::uint64_t seed) const;
     [[nodiscard]] std::string markdown(std::uint64_t seed) const;
 
@@ -26,6 +30,8 @@ private:
     };
     /// Ledger errors of the finished runs whose w dt is in [lower, upper), sorted.
     [[nodiscard]] std::vector<double> errors(double lower, double upper) const;
+
+    [[nodiscard]] std::int64_t count(Outcome outcome) const;
 
     std::int64_t scenes_ = 0, failures_ = 0;
     std::map<Outcome, std::int64_t> outcomes_;
