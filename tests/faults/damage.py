@@ -7,15 +7,18 @@ import time
 
 from broken_runs import flip, is_one_sentence, stopped_half_way
 
+REFUSED = "refused"
+CONTINUED = "continued from the earlier one to the same bits"
+
 
 def outcome(runs, out):
     """What `resume` makes of a damaged folder."""
     done = runs.run(out, resume=True)
     if done.returncode == 2 and is_one_sentence(done.stderr):
-        return "refused"
+        return REFUSED
     if done.returncode != 0:
         return f"exit {done.returncode}: {done.stderr}"
-    return "continued from the earlier one to the same bits" if runs.same_as_undisturbed(out) else "wrong result"
+    return CONTINUED if runs.same_as_undisturbed(out) else "wrong result"
 
 
 def copied(runs, source, name):
@@ -67,5 +70,5 @@ def second_process(runs):
         first.wait()
     refused = second.returncode == 2 and is_one_sentence(second.stderr) and "another recoat-solve" in second.stderr
     if refused and first.returncode == 0 and runs.same_as_undisturbed(out):
-        return "refused"
+        return REFUSED
     return f"exit {second.returncode}: {second.stderr}"
