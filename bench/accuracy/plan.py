@@ -100,7 +100,7 @@ def runs_of(group, plan):
         group.get("schemes", ["discrete_gradient"]),
         group.get("shortcuts", ["none"]),
         group.get("skins", [0.1]),
-        group.get("close_steps", [100]),
+        group.get("close_steps", [25]),
     ):
         overrides = powder["overrides"] | plan["shortcuts"][shortcut]
         for seed in range(1, replicates + 1):

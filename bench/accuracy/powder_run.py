@@ -7,7 +7,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from workflow_scripts import bed_region, layer_region, read_state, write_json
+from workflow_scripts import Clock, bed_region, layer_region, read_state, solver_version, write_json
 
 ANALYSIS = {"voxels_per_dp": [], "bootstrap_resamples": 0, "chamber_min_diameter": 0.5}  # pores: metrics.md
 
@@ -75,7 +75,7 @@ def measure(build, scene, run, folder):
     bed = run["kind"] == "bed"
     overrides = fill_only(scene, run["overrides"]) if bed else run["overrides"]
     code, sentence, seconds = solve(build, scene, overrides, folder)
-    record = run["about"] | {"exit_code": code, "sentence": sentence, "processor_seconds": seconds}
+    record = run["about"] | {"version": solver_version(build), "exit_code": code, "sentence": sentence, "processor_seconds": seconds}
     if code not in (0, 2, 3):
         sys.exit(f"recoat-solve ended with {code}: {sentence}")
     if code != 0:
@@ -86,7 +86,6 @@ def measure(build, scene, run, folder):
     if not bed:
         quantities |= layer_quantities(build, folder, run["region"])
     return record | {
-        "version": summary["version"],
         "particles": summary["particles"],
         "steps": sum(stage["steps"] for stage in stages),
         "simulated_seconds": sum(stage["time"] for stage in stages),
@@ -100,5 +99,7 @@ if __name__ == "__main__":
     params = snakemake.params
     work = Path(params.folder)
     work.mkdir(parents=True, exist_ok=True)
-    write_json(snakemake.output[0], measure(params.build, params.scene, params.run, work))
+    clock = Clock()
+    record = measure(params.build, params.scene, params.run, work)
+    write_json(snakemake.output[0], clock.record() | record)  # processor seconds are those of the solver alone
     shutil.rmtree(work)
