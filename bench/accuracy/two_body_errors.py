@@ -2,14 +2,12 @@
 
 import json
 import math
-import resource
 import subprocess
 import sys
-import time
 from functools import cache
 from pathlib import Path
 
-from workflow_scripts import write_json
+from workflow_scripts import Clock, solver_version, write_json
 
 sys.path.insert(0, "tests/analytic")
 
@@ -97,22 +95,9 @@ def table(build, scene, case, grid):
         rows.append({"time_step": step, "errors": errors_of(found, f"{case['bond']:g}", float(grid["ramp"]))})
 
 
-def version(build):
-    """Of the solver, as it stands in its summaries."""
-    command = [f"{build}/solver/recoat-solve", "--version"]
-    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip().removeprefix("recoat-solve ")
-
-
-def processor_seconds():
-    """Of all programs that were started and have ended."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
-
-
 if __name__ == "__main__":
     params = snakemake.params
-    began, used = time.monotonic(), processor_seconds()
+    clock = Clock()
     rows = table(params.build, params.scene, params.case, params.grid)
     about = {key: params.case[key] for key in ("bond", "ratio", "scheme")}
-    spent = {"wall_seconds": time.monotonic() - began, "processor_seconds": processor_seconds() - used}
-    write_json(snakemake.output[0], about | {"version": version(params.build)} | spent | {"steps": rows})
+    write_json(snakemake.output[0], about | {"version": solver_version(params.build), "steps": rows} | clock.record())
