@@ -1,63 +1,97 @@
 """Beds and layers: distance from the shorter steps against run time, with the scatter of replicates."""
 
-from matplotlib.ticker import LogLocator, NullFormatter
-from recommend import REFERENCE_STEP
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
+from recommend import ENERGY_LIMIT, REFERENCE_STEP
 from statistics_of_runs import pooled
+from step_marks import FAULT, from_reference, label_steps, mark_faults, nearest_step, say_faults, time_axis
 from workflow_scripts import MARKERS, PAGE, pyplot, read_json
 
-PANELS = [
+ROWS = [
     ("bed", "bed packing density"),
     ("bed", "bed coordination number"),
     ("layer", "median packing density"),
     ("layer", "roughness Ra [d_p]"),
     ("layer", "coordination number"),
-    ("layer", "share of empty nodes"),
 ]
+COLUMNS = 3
 
 
-def draw_bond(axes, entries, name, number):
-    """Means with their standard errors, in percent of the reference; returns the scatter of replicates in percent."""
-    reference = pooled([entry for entry in entries if entry["time_step"] <= REFERENCE_STEP], name)
-    if not reference or not reference["mean"]:
-        return None
-    rows = [entry for entry in entries if "quantities" in entry and entry["quantities"][name]["known"]]
-    found = [entry["quantities"][name] for entry in rows]
-    error = [100 * (part["mean"] / reference["mean"] - 1) for part in found]
-    bars = [100 * (part["standard_error"] or 0) / reference["mean"] for part in found]
-    axes.errorbar(
-        [entry["processor_seconds"] for entry in rows],
-        error,
-        bars,
-        marker=MARKERS[number],
-        capsize=2,
-        label=f"Bo = {entries[0]['bond']:g}",
-        color=f"C{number}",
-    )
-    return 100 * reference["scatter"] / reference["mean"]
+def draw_steps(axes, entries, name, automatic):
+    """One quantity at one Bond number: a point for each step, about the mean of the steps up to REFERENCE_STEP."""
+    usual = [e for e in entries if e["time_step"] <= REFERENCE_STEP and "quantities" in e]
+    scatter = pooled(usual, name)
+    axes.axhspan(*(sign * 100 * scatter["scatter"] / scatter["mean"] for sign in (-1, 1)), color="0.9", zorder=0)
+    axes.axhline(0, color="0.6", linewidth=0.6, zorder=1)
+    known = [e for e in entries if "quantities" in e and from_reference(e, usual, name)]
+    points = [from_reference(entry, usual, name) for entry in known]
+    for entry, (value, bar) in zip(known, points):
+        fill = "white" if entry["time_step"] <= REFERENCE_STEP else "C0"
+        axes.errorbar(entry["processor_seconds"], value, bar, fmt="o", color="C0", mfc=fill, capsize=2, zorder=3)
+    chosen = nearest_step(known, automatic)
+    place = chosen["processor_seconds"], points[known.index(chosen)][0]
+    axes.plot(*place, "s", markersize=10, markerfacecolor="none", color="black")
+    label_steps(axes, known, points)
+    mark_faults(axes, known, points)
+    time_axis(axes, "processor s per run")
+    say_faults(axes, entries)
 
 
-def panel(axes, study, kind, name):
-    """One quantity at every Bond number."""
-    bonds = sorted({entry["bond"] for entry in study if entry["kind"] == kind})
-    for number, bond in enumerate(bonds):
-        scatter = draw_bond(axes, [e for e in study if (e["kind"], e["bond"]) == (kind, bond)], name, number)
-        if scatter is not None:
-            axes.axhspan(-scatter, scatter, color=f"C{number}", alpha=0.10, linewidth=0)
-    axes.axhline(0, color="0.6", linewidth=0.6)
-    axes.set(xscale="log", title=name, xlabel="processor s per run", ylabel="from shorter steps [%]")
-    axes.xaxis.set_major_formatter("{x:g}")
-    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
-    axes.xaxis.set_minor_formatter(NullFormatter())
+def draw_energy(axes, study, steps, kind):
+    """Error of the balance of energy at each step, one line for each Bond number."""
+    for number, bond in enumerate(sorted({e["bond"] for e in study if e["kind"] == kind})):
+        entries = [e for e in study if (e["kind"], e["bond"]) == (kind, bond) and "quantities" in e]
+        values = [100 * entry["energy_balance_error"] for entry in entries]
+        times = [1e9 * entry["time_step"] for entry in entries]
+        axes.plot(times, values, marker=MARKERS[number], label=f"Bo = {bond:g}")
+        k = entries.index(nearest_step(entries, steps[kind, bond]))
+        axes.plot(times[k], values[k], "s", markersize=10, markerfacecolor="none", color="black")
+        for time, value, entry in zip(times, values, entries):
+            if entry["faults"]:
+                axes.plot(time, value, "x", color=FAULT, markersize=9, markeredgewidth=1.5)
+    axes.axhline(100 * ENERGY_LIMIT, color="0.7", linewidth=0.7, zorder=0)
+    axes.set(yscale="log", title=f"{kind}s: balance of energy", ylabel="worst error [%]")
+    time_axis(axes, "time step [ns]")
     axes.legend()
 
 
-def draw(study, path):
-    """Six panels; the bands are one scatter of replicates."""
-    figure, axes = pyplot.subplots(2, 3, figsize=(PAGE * 1.25, PAGE * 0.75))
-    for place, (kind, name) in zip(axes.flat, PANELS):
-        panel(place, study, kind, name)
+def draw_key(axes):
+    """What the signs of the other panels mean."""
+    point = {"color": "C0", "marker": "o", "linestyle": ""}
+    signs = [
+        (Line2D([], [], **point), "mean and standard error; the number\nbeside it is the time step in ns"),
+        (Line2D([], [], **point, markerfacecolor="white"), "one of the short steps that the\nothers are held to"),
+        (Patch(color="0.9"), "one scatter of replicates"),
+        (
+            Line2D([], [], color="black", marker="s", linestyle="", markersize=9, markerfacecolor="none"),
+            "nearest to the automatic step",
+        ),
+        (
+            Line2D([], [], color=FAULT, marker="x", linestyle="", markersize=9, markeredgewidth=1.5),
+            "some runs ended in a fault: the point\nis of the others",
+        ),
+    ]
+    axes.axis("off")
+    axes.legend(*zip(*signs), loc="center", labelspacing=1)
+
+
+def draw(results, path):
+    """A row for each quantity, a column for each Bond number; then the balance of energy."""
+    study = results["powder"]["time_step"]
+    steps = {(row["kind"], row["bond"]): row["automatic_step"] for row in results["recommended"]["powder"]}
+    figure, axes = pyplot.subplots(len(ROWS) + 1, COLUMNS, figsize=(PAGE * 1.25, PAGE * 1.6))
+    for row, (kind, name) in zip(axes, ROWS):
+        bonds = sorted(bond for found, bond in steps if found == kind)
+        for panel, bond in zip(row, bonds):
+            entries = [e for e in study if (e["kind"], e["bond"]) == (kind, bond)]
+            draw_steps(panel, entries, name, steps[kind, bond])
+            panel.set_title(f"{name}, Bo = {bond:g}")
+        row[0].set_ylabel("from short steps [%]")
+    draw_energy(axes[-1][0], study, steps, "bed")
+    draw_energy(axes[-1][1], study, steps, "layer")
+    draw_key(axes[-1][2])
     figure.savefig(path, dpi=150, metadata={"Software": None})
 
 
 if __name__ == "__main__":
-    draw(read_json(snakemake.input[0])["powder"]["time_step"], snakemake.output[0])
+    draw(read_json(snakemake.input[0]), snakemake.output[0])

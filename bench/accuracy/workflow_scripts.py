@@ -9,10 +9,9 @@ sys.path.insert(0, "workflow/scripts")
 
 from bed_region import bed_region  # noqa: E402
 from layer_region import layer_region  # noqa: E402
-from reporting import read_json, write_json  # noqa: E402
+from reporting import Implausible, read_json, write_json  # noqa: E402
 from states import read_state  # noqa: E402
 from style import MARKERS, PAGE, pyplot  # noqa: E402
-
 
 
 class Clock:
@@ -39,4 +38,16 @@ def solver_version(build):
     return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip().removeprefix("recoat-solve ")
 
 
-__all__ = ["MARKERS", "PAGE", "Clock", "bed_region", "layer_region", "pyplot", "read_json", "read_state", "solver_version", "write_json"]
+__all__ = [
+    "MARKERS",
+    "PAGE",
+    "Clock",
+    "Implausible",
+    "bed_region",
+    "layer_region",
+    "pyplot",
+    "read_json",
+    "read_state",
+    "solver_version",
+    "write_json",
+]

@@ -7,18 +7,31 @@ import sys
 
 import numpy
 import pytest
+import scipy.stats
 
 
 @pytest.fixture(scope="module")
 def modules(root):
     """The scripts of bench/accuracy, which import each other by their plain names."""
     sys.path.insert(0, str(root / "bench/accuracy"))
+    import collect
+    import figure_choices
+    import figure_two_body
     import plan
     import recommend
     import statistics_of_runs
     import two_body_errors
 
-    yield {"plan": plan, "recommend": recommend, "statistics": statistics_of_runs, "two_body": two_body_errors}
+    yield {
+        "choices": figure_choices,
+        "collect": collect,
+        "figure": figure_two_body,
+       
+        "plan": plan,
+        "recommend": recommend,
+        "statistics": statistics_of_runs,
+        "two_body": two_body_errors,
+    }
     sys.path.remove(str(root / "bench/accuracy"))
 
 
@@ -107,7 +120,9 @@ def test_a_step_counts_only_up_to_the_first_failure(modules):
     assert modules["recommend"].longest_before_failure(rows, lambda row: True) == 5
 
 
-def test_gain_compares_costs_at_the_same_error(modules):
+def test_gain_compares_the_cheapest_good_steps(modules):
+    """The cheapest, not the longest: a longer one may need a dearer solve of the pair, and err more."""
+
     def case(scheme, errors, seconds):
         worst = [{f"capture velocity, {kind}": {"worst": error} for kind in ("pair", "wall")} for error in errors]
         steps = zip((1e-8, 2e-8, 4e-8), worst, seconds)
@@ -115,44 +130,170 @@ def test_gain_compares_costs_at_the_same_error(modules):
         return {"bond": 5, "ratio": 0.001, "scheme": scheme, "steps": rows}
 
     cases = [
-        case("discrete_gradient", (1e-3, -5e-3, 9e-3), (8, 4, 2)),
+        case("discrete_gradient", (1e-3, -5e-3, 9e-3), (8, 2, 4)),
         case("explicit_force", (2e-3, 0.02, 1e-3), (6, 3, 1.5)),
         case("prediction_correction", (0.02, 0.02, None), (6, 3, 1.5)),
     ]
     rows = modules["recommend"].gain_at_equal_error(cases)
-    assert [(row["scheme"], row["longest_step"], row["gain"]) for row in rows] == [
-        ("discrete_gradient", 4e-8, 1),
-        ("explicit_force", 1e-8, 3),
+    keys = ("scheme", "longest_step", "cheapest_step", "capture_error", "gain")
+    assert [tuple(row[key] for key in keys) for row in rows] == [
+        ("discrete_gradient", 4e-8, 2e-8, 5e-3, 1),
+        ("explicit_force", 1e-8, 1e-8, 2e-3, 3),
     ]
+
+
+def test_a_step_costs_what_a_bed_does_at_that_very_step(modules):
+    """The solve of a pair gets six times dearer between two steps of the grid: no other row will do."""
+
+    def cost(steps, known):
+        rows = [{"bond": 5, "scheme": "s", "time_step": step, "rate": rate} for step, rate in known.items()]
+        case = {"bond": 5, "scheme": "s", "ratio": 0.001, "steps": [{"time_step": step} for step in steps]}
+        return [row["processor_seconds"] for row in modules["collect"].with_cost(case, rows)["steps"]]
+
+    known = {5e-9: 4e6, 2e-8: 5e6, 1e-7: 6e6, 1.3e-7: 1e6}
+    assert cost([1.3e-7], known) == pytest.approx([1 / 1.3e-7 / 1e6])
+    assert cost([6.3e-9, 1.6e-8], known) == pytest.approx([1 / 6.3e-9 / 4e6, 1 / 1.6e-8 / 5e6])
+    with pytest.raises(modules["collect"].Implausible, match="at a step of 1.25e-07 s"):
+        cost([1.25e-7], known)
+
+
+def test_results_of_different_solvers_are_not_put_together(modules):
+    version = modules["collect"].version_of_all
+    assert version({"a.json": {"version": "1"}, "b.json": {"version": "1"}}) == "1"
+    for other in ({"version": "2"}, {}, []):
+        with pytest.raises(modules["collect"].Implausible, match=r"1 \(a.json\), .* \(b.json\)"):
+            version({"a.json": {"version": "1"}, "b.json": other})
+
+
+def test_seconds_are_summed_over_all_parts(modules):
+    records = {"powder": [{"wall_seconds": 1.5}, {"wall_seconds": 2}], "two_body": [{"wall_seconds": 4}]}
+    found = modules["collect"].sums(records, "wall_seconds")
+    assert found == {"powder": 3.5, "two_body": 4, "total": 7.5}
+
+
+def values(numbers):
+    """Replicates by their seeds."""
+    return dict(enumerate(numbers, start=1))
 
 
 def test_pooled_scatter_is_that_within_the_groups(modules):
     """Against the textbook: squares about the own mean of each group, over what is free."""
     random = numpy.random.default_rng(3)
     groups = [random.normal(5, 2, size) for size in (4, 7, 9)]
-    runs = [[{"exit_code": 0, "quantities": {"q": value}} for value in group] for group in groups]
-    entries = [{"quantities": {"q": modules["statistics"].spread(members, "q")}} for members in runs]
+    entries = [{"quantities": {"q": modules["statistics"].spread(values(group))}} for group in groups]
     pooled = modules["statistics"].pooled(entries, "q")
     squares = sum(((group - group.mean()) ** 2).sum() for group in groups)
     assert pooled["mean"] == pytest.approx(numpy.concatenate(groups).mean())
     assert pooled["scatter"] == pytest.approx((squares / (4 + 7 + 9 - 3)) ** 0.5)
 
 
-def test_a_layer_that_is_off_is_not_recommended(modules):
-    def entry(step, values):
-        runs = [{"exit_code": 0, "quantities": {"q": value}} for value in values]
-        return {
-            "kind": "layer",
-            "bond": 5,
-            "time_step": step,
-            "faults": 0,
-            "energy_balance_error": 1e-3,
-            "quantities": {"q": modules["statistics"].spread(runs, "q")},
-        }
+def test_faults_are_counted_and_take_no_part_in_means(modules):
+    good = {"exit_code": 0, "steps": 10, "particles": 3, "simulated_seconds": 1, "energy_balance_error": -0.1}
+    good |= {"largest_overlap": 0.2}
+    runs = [good | {"seed": k, "processor_seconds": 10 + k, "quantities": {"q": k}} for k in (1, 3)]
+    fault = {"seed": 2, "exit_code": 3, "sentence": "s", "processor_seconds": 99}
+    found = modules["statistics"].summarise([*runs, fault])
+    assert (found["runs"], found["faults"], found["sentences"]) == (3, 1, ["s"])
+    assert found["processor_seconds"] == 12
+    assert found["seconds_per_particle_step"] == pytest.approx(0.4)
+    assert found["costs"]["seconds_per_particle_step"]["by_seed"] == pytest.approx({"1": 11 / 30, "3": 13 / 30})
+    assert found["quantities"]["q"]["by_seed"] == {"1": 1, "3": 3}
+    assert "quantities" not in modules["statistics"].summarise([fault])
 
-    near = [entry(2e-8, [1.0, 1.1, 0.9]), entry(1e-7, [1.05, 0.95, 1.0]), entry(2e-7, [1.5, 1.4, 1.6])]
-    (found,) = modules["recommend"].recommended_steps([], near)["powder"]
-    assert found["longest_step"] == 1e-7
+
+def test_paired_difference_is_that_of_scipy(modules):
+    random = numpy.random.default_rng(4)
+    seeds = random.normal(5, 3, 8)  # what the placement does to both
+    own, other = seeds + random.normal(0.2, 0.1, 8), seeds + random.normal(0, 0.1, 8)
+    found = modules["statistics"].paired_difference(values(own), values(other) | {9: 100.0})
+    expected = scipy.stats.ttest_rel(own, other)
+    assert found["mean"] == pytest.approx((own - other).mean())
+    assert found["mean"] / found["standard_error"] == pytest.approx(expected.statistic)
+    assert found["chance"] == pytest.approx(expected.pvalue)
+    assert found["pairs"] == 8
+    assert modules["statistics"].paired_difference({1: 2.0}, {2: 3.0}) is None
+    assert modules["statistics"].paired_difference({1: 2.0}, {1: 3.0})["standard_error"] is None
+    assert modules["statistics"].paired_difference({1: 2.0, 2: 3.0}, {1: 2.0, 2: 3.0})["chance"] == 1
+
+
+@pytest.mark.parametrize("shared", (0.0, 0.9))
+def test_error_of_a_ratio_is_the_scatter_of_many_ratios(modules, shared):
+    """Against brute force, with and without what runs of the same seed share."""
+    random = numpy.random.default_rng(5)
+
+    def draw(size):
+        seeds = random.normal(0, 1, size)
+        return [m * (1 + 0.1 * (shared * seeds + (1 - shared**2) ** 0.5 * random.normal(0, 1, size))) for m in (3, 2)]
+
+    relative = modules["statistics"].relative_difference
+    found = [relative(values(own), values(other)) for own, other in (draw(12) for _ in range(2000))]
+    assert numpy.mean([part["mean"] for part in found]) == pytest.approx(0.5, abs=0.01)
+    scatter = numpy.std([part["mean"] for part in found])
+    assert numpy.mean([part["standard_error"] for part in found]) == pytest.approx(scatter, rel=0.06)
+
+
+def test_the_base_of_a_comparison_has_no_bar(modules):
+    spread = modules["statistics"].spread
+    base = spread(values([1.0, 1.2, 0.9]))
+    assert modules["choices"].relative(base, base) == (0, 0)
+    # Twice each run: the difference is certain, however much the runs differ.
+    assert modules["choices"].relative(spread(values([2.0, 2.4, 1.8])), base) == pytest.approx((100, 0))
+    nothing = spread(values([None, None]))
+    assert math.isnan(modules["choices"].relative(nothing, base)[0])
+
+
+def test_a_step_is_hollow_where_a_shorter_one_costs_less(modules):
+    case = {"steps": [{"processor_seconds": seconds} for seconds in (8, 4, 5, 2, 9, 1)]}
+    assert list(modules["figure"].dearer(case)) == [False, False, True, False, True, False]
+
+
+def powder_entry(modules, step, numbers, faults=0):
+    """A setting with one quantity."""
+    return {
+        "kind": "layer",
+        "bond": 5,
+        "time_step": step,
+        "runs": len(numbers) + faults,
+        "faults": faults,
+        "energy_balance_error": 1e-3,
+        "quantities": {"q": modules["statistics"].spread(values(numbers))},
+    }
+
+
+def longest(modules, entries):
+    (found,) = modules["recommend"].recommended_steps([], entries)["powder"]
+    return found["longest_step"]
+
+
+def test_a_layer_that_is_off_is_not_recommended(modules):
+    near = [
+        powder_entry(modules, 2e-8, [1.0, 1.1, 0.9]),
+        powder_entry(modules, 1e-7, [1.05, 0.95, 1.0]),
+        powder_entry(modules, 2e-7, [1.5, 1.4, 1.6]),
+    ]
+    assert longest(modules, near) == 1e-7
     near[1]["faults"] = 1
-    (found,) = modules["recommend"].recommended_steps([], near)["powder"]
-    assert found["longest_step"] == 2e-8
+    assert longest(modules, near) == 2e-8
+
+
+def test_a_short_step_is_held_to_the_shorter_ones_and_not_to_itself(modules):
+    usual, off = [1.0, 1.1, 0.9, 1.05, 0.95], [2.0, 2.1, 1.9, 2.04, 1.96]
+    entries = [powder_entry(modules, 2e-8, usual), powder_entry(modules, 5e-8, off), powder_entry(modules, 1e-7, off)]
+    assert longest(modules, entries) == 2e-8
+    rows = modules["recommend"].powder_rows(entries)
+    assert [[part["time_step"] for part in row["reference"]] for row in rows] == [[], [2e-8], [2e-8, 5e-8]]
+    shift = rows[1]["shift"]
+    assert shift["difference"] == pytest.approx(1)
+    assert shift["scatters"] == pytest.approx(1 / numpy.std(usual, ddof=1))
+    differences = numpy.subtract(off, usual)
+    assert shift["standard_errors"] == pytest.approx(1 / (numpy.std(differences, ddof=1) / 5**0.5))
+    assert rows[0]["shift"] is None
+
+
+def test_a_short_step_may_be_off_by_chance_and_a_long_one_may_not(modules):
+    usual, chance = [1.0, 1.2, 0.8], [1.5, 0.9, 1.3]  # a scatter apart, but by no sure amount
+    for step, expected in ((5e-8, 5e-8), (1e-7, 2e-8)):
+        entries = [powder_entry(modules, 2e-8, usual), powder_entry(modules, step, chance)]
+        (row,) = modules["recommend"].powder_rows(entries)[1:]
+        assert row["shift"]["scatters"] > 1 and row["shift"]["chance_of_any"] > 0.05
+        assert longest(modules, entries) == expected
