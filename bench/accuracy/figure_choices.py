@@ -105,7 +105,7 @@ def looks(axes, study, kind):
         axes.errorbar(places, values, bars, fmt=MARKERS[number], color=f"C{number}", capsize=2, label=label)
     axes.plot(1, 0, "o", color="black", markerfacecolor="white")
     axes.axhline(0, color="0.6", linewidth=0.6, zorder=0)
-    axes.set(xscale="log", title=f"{kind}, Bo = {base['bond']:g}: processor time of a particle-step")
+    axes.set(xscale="log", title=f"{kind}, Bo = {base['bond']:g}: time of a particle-step")
     nanoseconds = 1e9 * base["seconds_per_particle_step"]
     axes.set_xlabel(f"over the default ({base['runs']} runs, {nanoseconds:.0f} ns)")
     axes.set_ylabel("difference from the default [%]")

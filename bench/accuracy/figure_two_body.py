@@ -95,7 +95,7 @@ def draw_key(axes):
     signs = {
         "the paper's step": Line2D([], [], marker="o", markersize=9, **sign),
         "the automatic step": Line2D([], [], marker="s", markersize=9, **sign),
-        "dearer than a shorter step": Line2D([], [], marker="o", color="C0", linestyle="", markerfacecolor="white"),
+        "dearer than a shorter": Line2D([], [], marker="o", color="C0", linestyle="", markerfacecolor="white"),
     }
     axes.legend(signs.values(), signs.keys(), loc="lower left")
 
