@@ -112,3 +112,13 @@ def test_schema_and_reader_refuse_alike(solver, validator, key, value):
     assert not validator.is_valid(config)
     solver.write("bad.yaml", yaml.safe_dump(config, sort_keys=False))
     assert "powder.sizes" in solver.refusal("run", "bad.yaml", "--print-config")
+
+
+def test_the_powders_of_the_readme_are_good(solver, root):
+    powders = [line.strip() for line in (root / "README.md").read_text().splitlines() if line.startswith("    powder:")]
+    assert len(powders) == 2
+    text = (solver.folder / "spread.yaml").read_text().replace("width: 4 dp", "width: 6 dp")
+    for powder in powders:
+        solver.write("readme.yaml", text.replace("powder: {particles: 40}", powder).replace("1e-7 s", "5e-8 s"))
+        sizes = json.loads(solver.good("check", "readme.yaml", "--json"))["sizes"]
+        assert sizes["smallest"] == pytest.approx(30e-6)
