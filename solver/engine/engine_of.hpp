@@ -46,6 +46,8 @@ public:
         }
         if (halt != Halt::deep && halt != Halt::fast) return;
         rewind(s_.step);
+        // The step that failed may have begun with a new list.
+        if (control().stale()) lists_.refresh(space_, s_, anchors_);
         throw fault_of(snapshot(), setup_, halt);
     }
 

@@ -40,6 +40,23 @@ TEST(Faults, OverlapWithAWallNamesIt) {
     expect_words(message_of<SimulationFault>([&] { engine->advance(1); }), {"particle 1", "wall 'anvil'", "step 0"});
 }
 
+// A wall that goes further in a step than the close list reaches: the sphere that it meets is not in the list of the
+// step before.
+TEST(Faults, OverlapWithAWallThatJumpsNamesBoth) {
+    for (const double bond : {0.0, 50.0}) {
+        EngineScene scene{paper_setup(bond), {}, {plane("base", {0, 0, -dp}, {0, 0, 1})}};
+        add_particle(scene.particles, {4 * dp, 0, -0.4 * dp});
+        add_particle(scene.particles, {});
+        Wall lid = plane("lid", {0, 0, 6.2 * dp}, {0, 0, -1});
+        lid.velocity = {0, 0, -3 * dp / scene.setup.time_step};
+        scene.walls.push_back(lid);
+        const auto engine = scene.engine();
+        expect_words(message_of<SimulationFault>([&] { engine->advance(10); }),
+                     {"step 2 ", "particle 1 overlaps wall 'lid' by 1.5e-05 m"});
+        EXPECT_EQ(engine->step(), 2);
+    }
+}
+
 // Two particles in one place have no line through their centres, but still a fault.
 TEST(Faults, ParticlesInOnePlaceAreAFault) {
     EngineScene scene{paper_setup(), {}, {}};
