@@ -1,6 +1,6 @@
 """The longest step whose error is below 1 % in the capture velocity and below the scatter of replicates; gains."""
 
-from statistics_of_runs import mean_by_seed, paired_difference, pooled
+from statistics_of_runs import mean_by_seed, pooled, student_difference
 
 CAPTURE_LIMIT = 0.01  # worst phase, pair and wall
 ENERGY_LIMIT = 0.01  # of the blade's work, or of what the fill dissipates
@@ -50,14 +50,14 @@ def reference_of(entry, entries):
 def shifts(entry, reference):
     """How far each quantity is from the reference: in scatters of replicates and in standard errors of the difference.
 
-    The difference is between runs of the same seed: a particle bed keeps much of its random placement (correlation of
-    beds of different steps: 0.2 at Bo 5, 0.75 at Bo 400).
+    The difference is between runs of the same seed where there are enough: a particle bed keeps much of its random
+    placement (correlation of beds of different steps: 0.2 at Bo 5, 0.75 at Bo 400).
     """
     found = {}
     for name, own in entry["quantities"].items():
         usual = pooled(reference, name)
         other = mean_by_seed([part["quantities"][name] for part in reference])
-        difference = paired_difference(own["by_seed"], other)
+        difference = student_difference(own["by_seed"], other)
         if usual is None or usual["scatter"] == 0 or difference is None:
             continue
         error = difference["standard_error"]

@@ -4,6 +4,7 @@ import numpy
 from scipy.stats import t as student
 
 PLACE = " The state of the moment before"  # begins where a fault says where its state is, which is not kept
+LEAST_PAIRS = 3
 
 
 def summarise(runs):
@@ -79,23 +80,31 @@ def mean_by_seed(parts):
     return {seed: float(numpy.mean([p["by_seed"][seed] for p in parts if seed in p["by_seed"]])) for seed in seeds}
 
 
-def paired_difference(own, other):
-    """Mean of own less other over the seeds that both have, its standard error, and how likely chance alone is to
-    make it as large (two-sided, Student).
+def student_difference(own, other):
+    """Mean of own less other, its standard error, and how likely chance alone is to make it as large (two-sided,
+    Student); `pairs` is the number of runs of the same seed that were compared, 0 if all of both were.
 
-    Runs of the same seed begin with the same placement: what that does to both is no part of their difference. None
-    without a common seed; error and chance are None with only one.
+    Runs of the same seed begin with the same placement: what that does to both is no part of their difference. Fewer
+    than LEAST_PAIRS say little of what is left; then the means of all runs are compared, with a scatter common to both.
+    Error and chance are None if there is nothing to tell a scatter from, all is None without a run.
     """
     seeds = [seed for seed in own if seed in other]
-    if not seeds:
+    if len(seeds) >= LEAST_PAIRS:
+        differences = numpy.array([own[seed] - other[seed] for seed in seeds])
+        mean, freedom = float(differences.mean()), len(seeds) - 1
+        error = float(differences.std(ddof=1) / len(seeds) ** 0.5)
+    elif own and other:
+        seeds, groups = [], [numpy.array(list(values.values())) for values in (own, other)]
+        mean, freedom = float(groups[0].mean() - groups[1].mean()), len(own) + len(other) - 2
+        squares = sum(((group - group.mean()) ** 2).sum() for group in groups)
+        error = float((squares / freedom * (1 / len(own) + 1 / len(other))) ** 0.5) if freedom else None
+    else:
         return None
-    differences = numpy.array([own[seed] - other[seed] for seed in seeds])
-    found = {"mean": float(differences.mean()), "standard_error": None, "chance": None, "pairs": len(seeds)}
-    if len(seeds) > 1:
-        found["standard_error"] = error = float(differences.std(ddof=1) / len(seeds) ** 0.5)
-        score = abs(found["mean"]) / error if error > 0 else numpy.inf if found["mean"] else 0.0
-        found["chance"] = float(2 * student.sf(score, len(seeds) - 1))
-    return found
+    chance = None
+    if error is not None:
+        score = abs(mean) / error if error > 0 else numpy.inf if mean else 0.0
+        chance = float(2 * student.sf(score, freedom))
+    return {"mean": mean, "standard_error": error, "chance": chance, "pairs": len(seeds)}
 
 
 def relative_difference(own, other):

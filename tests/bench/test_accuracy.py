@@ -1,4 +1,4 @@
-"""The plan of `make bench-accuracy`, its statistics, and that its results are those of the plan and the solver of today."""
+"""The plan of `make bench-accuracy`, what follows from its runs; its results are those of the plan and the solver of today."""
 
 import json
 import math
@@ -7,7 +7,6 @@ import sys
 
 import numpy
 import pytest
-import scipy.stats
 
 
 @pytest.fixture(scope="module")
@@ -15,7 +14,6 @@ def modules(root):
     """The scripts of bench/accuracy, which import each other by their plain names."""
     sys.path.insert(0, str(root / "bench/accuracy"))
     import collect
-    import figure_choices
     import figure_two_body
     import plan
     import recommend
@@ -23,10 +21,8 @@ def modules(root):
     import two_body_errors
 
     yield {
-        "choices": figure_choices,
         "collect": collect,
         "figure": figure_two_body,
-       
         "plan": plan,
         "recommend": recommend,
         "statistics": statistics_of_runs,
@@ -171,80 +167,14 @@ def test_seconds_are_summed_over_all_parts(modules):
     assert found == {"powder": 3.5, "two_body": 4, "total": 7.5}
 
 
-def values(numbers):
-    """Replicates by their seeds."""
-    return dict(enumerate(numbers, start=1))
-
-
-def test_pooled_scatter_is_that_within_the_groups(modules):
-    """Against the textbook: squares about the own mean of each group, over what is free."""
-    random = numpy.random.default_rng(3)
-    groups = [random.normal(5, 2, size) for size in (4, 7, 9)]
-    entries = [{"quantities": {"q": modules["statistics"].spread(values(group))}} for group in groups]
-    pooled = modules["statistics"].pooled(entries, "q")
-    squares = sum(((group - group.mean()) ** 2).sum() for group in groups)
-    assert pooled["mean"] == pytest.approx(numpy.concatenate(groups).mean())
-    assert pooled["scatter"] == pytest.approx((squares / (4 + 7 + 9 - 3)) ** 0.5)
-
-
-def test_faults_are_counted_and_take_no_part_in_means(modules):
-    good = {"exit_code": 0, "steps": 10, "particles": 3, "simulated_seconds": 1, "energy_balance_error": -0.1}
-    good |= {"largest_overlap": 0.2}
-    runs = [good | {"seed": k, "processor_seconds": 10 + k, "quantities": {"q": k}} for k in (1, 3)]
-    fault = {"seed": 2, "exit_code": 3, "sentence": "s", "processor_seconds": 99}
-    found = modules["statistics"].summarise([*runs, fault])
-    assert (found["runs"], found["faults"], found["sentences"]) == (3, 1, ["s"])
-    assert found["processor_seconds"] == 12
-    assert found["seconds_per_particle_step"] == pytest.approx(0.4)
-    assert found["costs"]["seconds_per_particle_step"]["by_seed"] == pytest.approx({"1": 11 / 30, "3": 13 / 30})
-    assert found["quantities"]["q"]["by_seed"] == {"1": 1, "3": 3}
-    assert "quantities" not in modules["statistics"].summarise([fault])
-
-
-def test_paired_difference_is_that_of_scipy(modules):
-    random = numpy.random.default_rng(4)
-    seeds = random.normal(5, 3, 8)  # what the placement does to both
-    own, other = seeds + random.normal(0.2, 0.1, 8), seeds + random.normal(0, 0.1, 8)
-    found = modules["statistics"].paired_difference(values(own), values(other) | {9: 100.0})
-    expected = scipy.stats.ttest_rel(own, other)
-    assert found["mean"] == pytest.approx((own - other).mean())
-    assert found["mean"] / found["standard_error"] == pytest.approx(expected.statistic)
-    assert found["chance"] == pytest.approx(expected.pvalue)
-    assert found["pairs"] == 8
-    assert modules["statistics"].paired_difference({1: 2.0}, {2: 3.0}) is None
-    assert modules["statistics"].paired_difference({1: 2.0}, {1: 3.0})["standard_error"] is None
-    assert modules["statistics"].paired_difference({1: 2.0, 2: 3.0}, {1: 2.0, 2: 3.0})["chance"] == 1
-
-
-@pytest.mark.parametrize("shared", (0.0, 0.9))
-def test_error_of_a_ratio_is_the_scatter_of_many_ratios(modules, shared):
-    """Against brute force, with and without what runs of the same seed share."""
-    random = numpy.random.default_rng(5)
-
-    def draw(size):
-        seeds = random.normal(0, 1, size)
-        return [m * (1 + 0.1 * (shared * seeds + (1 - shared**2) ** 0.5 * random.normal(0, 1, size))) for m in (3, 2)]
-
-    relative = modules["statistics"].relative_difference
-    found = [relative(values(own), values(other)) for own, other in (draw(12) for _ in range(2000))]
-    assert numpy.mean([part["mean"] for part in found]) == pytest.approx(0.5, abs=0.01)
-    scatter = numpy.std([part["mean"] for part in found])
-    assert numpy.mean([part["standard_error"] for part in found]) == pytest.approx(scatter, rel=0.06)
-
-
-def test_the_base_of_a_comparison_has_no_bar(modules):
-    spread = modules["statistics"].spread
-    base = spread(values([1.0, 1.2, 0.9]))
-    assert modules["choices"].relative(base, base) == (0, 0)
-    # Twice each run: the difference is certain, however much the runs differ.
-    assert modules["choices"].relative(spread(values([2.0, 2.4, 1.8])), base) == pytest.approx((100, 0))
-    nothing = spread(values([None, None]))
-    assert math.isnan(modules["choices"].relative(nothing, base)[0])
-
-
 def test_a_step_is_hollow_where_a_shorter_one_costs_less(modules):
     case = {"steps": [{"processor_seconds": seconds} for seconds in (8, 4, 5, 2, 9, 1)]}
     assert list(modules["figure"].dearer(case)) == [False, False, True, False, True, False]
+
+
+def values(numbers):
+    """Replicates by their seeds."""
+    return dict(enumerate(numbers, start=1))
 
 
 def powder_entry(modules, step, numbers, faults=0):
