@@ -39,10 +39,10 @@ TEST(Doublet, spun_up_is_braked_by_own_spin_rolling_resistance) {
     const double brake = (first - now.angular_velocity[0].z) / (engine->time() - first_time);
     const double load = powder::gravity * bond - powder::radius * first * first;
     verify_relative("braking", brake, 5.0 / 7 * powder::model().rolling_friction * load / powder::radius, 2e-3);
-    verify_relative("spin of one sphere over the other's", now.angular_velocity[0].z, now.angular_velocity[1].z, 1e-9);
+    verify_relative("spin of one sphere over the other's", now.angular_velocity[0].z, now.angular_velocity[1].z, 1e-13);
     const Vec3 line = now.position[1] - now.position[0], rate = now.velocity[1] - now.velocity[0];
     verify_relative("spin over that of the line", now.angular_velocity[0].z, cross(line, rate).z / dot(line, line),
-                    1e-3);
+                    5e-7);
 }
 
 TEST(Doublet, spun_up_is_not_braked_by_relative_rolling_resistance) {

@@ -151,7 +151,7 @@ TEST(Energy, of_a_cohesive_elastic_pair_decides_on_escape) {
         const double range = powder::minimum_separation;
         const auto depth = [&](double s) { return range / s; };  // of the potential, over that at s_min
         verify("energy at the farthest point of a bound pair, in wells",
-               0.5 * (depth(start) - depth(std::max(farthest, range))), 1e-4, std::to_string(start));
+               0.5 * (depth(start) - depth(std::max(farthest, range))), 2e-5, std::to_string(start));
     }
 }
 

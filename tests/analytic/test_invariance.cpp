@@ -54,7 +54,7 @@ TEST(Invariance, under_a_moving_frame) {
             for (Vec3& velocity : moving.particles.velocity) velocity += frame;
             ParticleTable seen = fly(moving);
             for (Vec3& velocity : seen.velocity) velocity += -1.0 * frame;
-            verify_same(seen, fly(still), 1e-7, bond);
+            verify_same(seen, fly(still), 5e-12, bond);
         }
 }
 
@@ -81,9 +81,9 @@ TEST(Invariance, under_rotation) {
             ParticleTable expected = fly(oblique_pair(bond));
             turn(expected);
             const ParticleTable found = fly(rotated);
-            verify_same(found, expected, 1e-7, bond);
+            verify_same(found, expected, 5e-12, bond);
             for (std::size_t i = 0; i < 2; ++i)
-                verify("position [m]", norm(found.position[i] - expected.position[i]), 1e-13);
+                verify("position [m]", norm(found.position[i] - expected.position[i]), 3e-16);
         }
 }
 
@@ -97,7 +97,7 @@ TEST(Invariance, under_exchange_of_the_spheres) {
         exchange(exchanged.particles);
         ParticleTable found = fly(exchanged);
         exchange(found);
-        verify_same(found, fly(oblique_pair(bond)), 1e-11, bond);
+        verify_same(found, fly(oblique_pair(bond)), 5e-15, bond);
     }
 }
 
@@ -111,12 +111,12 @@ TEST(Invariance, across_the_period) {
         for (Vec3& x : split.particles.position) x.y += 4e-4;  // the first is at 3.88e-4, the second at 4.1e-4 - period
         split.particles.position[1].y -= 5e-4;
         const ParticleTable a = fly(scene), b = fly(split);
-        verify_same(b, a, 1e-7, bond);
+        verify_same(b, a, 3e-11, bond);
         for (std::size_t i = 0; i < 2; ++i) {
             EXPECT_GE(b.position[i].y, -1e-4);
             EXPECT_LT(b.position[i].y, 4e-4);
             const double shift = (b.position[i].y - a.position[i].y - 4e-4) / 5e-4;
-            verify("place over the period, modulo 1", shift - std::round(shift), 1e-9);
+            verify("place over the period, modulo 1", shift - std::round(shift), 5e-12);
         }
     }
 }

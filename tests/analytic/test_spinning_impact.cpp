@@ -32,7 +32,7 @@ void verify_recoil(const Rebound& found, const std::string& name, double psi) {
     verify("recoil of the surface over v_n'", recoil - reference(where + ".recoil"), 1e-3, where);
     if (psi < 2.1) return;
     verify("recoil while sliding over v_n'", recoil - (psi - 2.1) / 0.5, 1e-3, where);
-    verify("tangential restitution while sliding", -found.surface() / (speed * psi) + (1 - 2.1 / psi), 1e-3, where);
+    verify("tangential restitution while sliding", -found.surface() / (speed * psi) + (1 - 2.1 / psi), 5e-4, where);
 }
 
 // docs/physics.md section 5.5, Chung & Ooi test 6: a spinning sphere meets a rigid wall straight on. Around psi = 1.7
@@ -53,9 +53,9 @@ TEST(SpinningImpact, of_opposite_spins_is_chung_and_ooi_test_7) {
             auto scene = testing::head_on_pair(model, time_step, 3.5 * 2 * speed * time_step, 2 * speed, 2 * radius);
             scene.particles.angular_velocity = {{0, 0, spin}, {0, 0, -spin}};
             const ParticleTable after = testing::after_pair_impact(*scene.engine());
-            verify("tangential velocity [m/s]", after.velocity[0].y, 1e-14);
-            verify("spin, first", after.angular_velocity[0].z / spin - 1, 1e-12);
-            verify("spin, second", after.angular_velocity[1].z / -spin - 1, 1e-12);
+            verify("tangential velocity [m/s]", after.velocity[0].y, 3e-16);
+            verify("spin, first", after.angular_velocity[0].z / spin - 1, 1e-14);
+            verify("spin, second", after.angular_velocity[1].z / -spin - 1, 1e-14);
             verify("rebound speed over e v", after.velocity[1].x / (0.5 * speed) - 1, 2e-4);
         }
 }
@@ -74,7 +74,7 @@ TEST(SpinningImpact, on_a_heavy_sphere_is_chung_and_ooi_test_8) {
         const ParticleTable after = testing::after_pair_impact(*scene.engine());
         verify_recoil({after.velocity[1].z, after.velocity[1].x, -after.angular_velocity[1].y * radius}, "alloy", psi);
         verify("momentum of the heavy sphere over what the light one lost",
-               after.velocity[0].z * 1.25e5 / -(speed + after.velocity[1].z) - 1, 1e-6);
+               after.velocity[0].z * 1.25e5 / -(speed + after.velocity[1].z) - 1, 3e-13);
     }
 }
 

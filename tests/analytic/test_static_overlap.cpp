@@ -23,9 +23,9 @@ TEST(StaticOverlap, of_the_weight_is_that_of_hertz) {
         const auto engine = scene.engine();
         engine->advance(200000);
         const double overlap = powder::radius - engine->particles().position[0].z;
-        verify_relative("overlap", overlap, reference("weight.overlap") * std::pow(ratio, -2.0 / 3), 1e-4,
+        verify_relative("overlap", overlap, reference("weight.overlap") * std::pow(ratio, -2.0 / 3), 5e-7,
                         std::to_string(ratio));
-        verify_relative("force", engine->contacts().at(0).normal_force, powder::weight, 1e-4, std::to_string(ratio));
+        verify_relative("force", engine->contacts().at(0).normal_force, powder::weight, 1e-14, std::to_string(ratio));
     }
 }
 
@@ -41,9 +41,9 @@ TEST(StaticOverlap, of_the_attraction_scales_with_the_stiffness) {
             wall->advance(20000);
             const std::string name = std::to_string(bond), where = name + ", r = " + std::to_string(ratio);
             verify_relative("overlap of a pair", -testing::pair_separation(pair->particles()),
-                            scale * reference("equilibrium.pair." + name), 1e-4, where);
+                            scale * reference("equilibrium.pair." + name), 3e-6, where);
             verify_relative("overlap with a wall", powder::radius - wall->particles().position[0].z,
-                            scale * reference("equilibrium.wall." + name), 1e-4, where);
+                            scale * reference("equilibrium.wall." + name), 1e-5, where);
         }
 }
 

@@ -53,7 +53,7 @@ TEST(UnequalRadii, overlap_is_that_of_hertz) {
     const auto engine = unequal_pair(model, 1e-8, 0).engine();
     after_pair_impact(*engine);
     verify_relative("overlap of a pair", engine->largest_overlap() * 2 * large,
-                    deepest(m * n / (m + n), small * large / (small + large), 0.1), 1e-3);
+                    deepest(m * n / (m + n), small * large / (small + large), 0.1), 3e-4);
     for (const double radius : {small, large}) {
         SmallScene scene(model, 1e-8, 2 * large);
         scene.plane({0, 0, 0}, {0, 0, 1});
@@ -62,7 +62,7 @@ TEST(UnequalRadii, overlap_is_that_of_hertz) {
         const auto wall = scene.engine();
         testing::after_plane_impact(*wall);
         verify_relative("overlap with a wall", wall->largest_overlap() * 2 * large,
-                        deepest(sphere_mass(radius, powder::density), radius, 0.05), 1e-3);
+                        deepest(sphere_mass(radius, powder::density), radius, 0.05), 3e-4);
     }
 }
 
@@ -86,7 +86,7 @@ TEST(UnequalRadii, momenta_are_conserved) {
         const auto after = momenta(after_pair_impact(*scene.engine()));
         verify("momentum", norm(after.first - before.first) / norm(before.first), 1e-13);
         verify(bond > 0 ? "angular momentum, with attraction" : "angular momentum",
-               norm(after.second - before.second) / norm(before.second), bond > 0 ? 1e-6 : 1e-12);
+               norm(after.second - before.second) / norm(before.second), bond > 0 ? 2e-7 : 1e-13);
     }
 }
 
@@ -110,8 +110,8 @@ TEST(UnequalRadii, agree_with_equal_radii_where_they_are_equal) {
             EXPECT_GT(a->largest_overlap(), 1e-4);
             const ParticleTable p = a->particles(), q = b->particles();
             for (std::size_t i = 0; i < 2; ++i) {
-                verify("velocity [m/s]", norm(p.velocity[i] - q.velocity[i]), 1e-9);
-                verify("spin [rad/s]", norm(p.angular_velocity[i] - q.angular_velocity[i]), 1e-4);
+                verify("velocity [m/s]", norm(p.velocity[i] - q.velocity[i]), 3e-16);
+                verify("spin [rad/s]", norm(p.angular_velocity[i] - q.angular_velocity[i]), 2e-11);
             }
         }
 }

@@ -1,5 +1,6 @@
 """docs/verification.md lists the tests that there are, with the tolerances that they have."""
 
+import json
 import subprocess
 from pathlib import Path
 
@@ -45,6 +46,15 @@ def test_every_analytic_test_is_a_case(verification, build):
 def test_other_cases_are_tests(verification, build):
     for case in verification.cases():
         assert case["test"] in listed_tests(verification, build, case["program"])
+
+
+def test_every_case_has_the_label_analytic(verification, build):
+    command = ["ctest", "--test-dir", build, "-L", "^analytic$", "--show-only=json-v1"]
+    shown = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)
+    program_and_test = {tuple(test["name"].split(".", 1)) for test in shown["tests"]}
+    labelled = {(program, verification.plain_name(*name.split("."))) for program, name in program_and_test}
+    for case in verification.cases():
+        assert (case["program"], case["test"]) in labelled
 
 
 def test_the_document_has_every_case_in_order(verification, committed):

@@ -64,7 +64,7 @@ TEST(Walls, that_move_give_what_walls_at_rest_give) {
         still.particles.velocity[0] = speed * aim;
         moving.particles.velocity[0] = speed * aim + frame;
         const Vec3 a = rebound(still), b = rebound(moving);
-        verify("velocity after the impact, over that before", norm(a - b) / speed, 1e-8);
+        verify("velocity after the impact, over that before", norm(a - b) / speed, 2e-11);
         EXPECT_LT(a.x, 0);
     }
 }
@@ -91,7 +91,7 @@ TEST(Walls, can_be_driven_and_taken_away) {
     scene.sphere({0, 0, powder::radius + 1e-5});
     const auto engine = scene.engine();
     engine->advance(1000);
-    verify("place of the wall [m]", engine->walls().at(0).point.z + 1000 * time_step, 1e-18);
+    verify("place of the wall [m]", engine->walls().at(0).point.z + 1000 * time_step, 1e-19);
     engine->set_wall_velocity(0, {0, 0, speed});
     engine->advance(30000);
     EXPECT_NEAR(engine->walls().at(0).point.z, -1000 * time_step + 30000 * time_step * speed, 1e-15);
