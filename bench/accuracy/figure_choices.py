@@ -69,6 +69,8 @@ def schemes(axes, study, kind, name):
     base = min(usual, key=lambda entry: entry["time_step"])
     for number, (scheme, label) in enumerate(SCHEME_NAMES.items()):
         own = [entry for entry in entries if entry["scheme"] == scheme]
+        if not own:
+            continue
         points = [relative(entry["quantities"][name], base["quantities"][name]) for entry in own]
         seconds = [entry["processor_seconds"] for entry in own]
         values, bars = zip(*points)

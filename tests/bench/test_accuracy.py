@@ -1,4 +1,4 @@
-"""The plan of `make bench-accuracy`, what follows from its runs; its results are those of the plan and the solver of today."""
+"""The plan of `make bench-accuracy`, what follows from its runs; the results are those of plan and solver of today."""
 
 import json
 import math
