@@ -75,7 +75,8 @@ def measure(build, scene, run, folder):
     bed = run["kind"] == "bed"
     overrides = fill_only(scene, run["overrides"]) if bed else run["overrides"]
     code, sentence, seconds = solve(build, scene, overrides, folder)
-    record = run["about"] | {"version": solver_version(build), "exit_code": code, "sentence": sentence, "processor_seconds": seconds}
+    outcome = {"exit_code": code, "sentence": sentence, "processor_seconds": seconds}
+    record = run["about"] | {"version": solver_version(build)} | outcome
     if code not in (0, 2, 3):
         sys.exit(f"recoat-solve ended with {code}: {sentence}")
     if code != 0:
