@@ -83,9 +83,7 @@ def measure(build, scene, run, folder):
         return record
     summary = json.loads((folder / "summary.json").read_text())
     stages = summary["stages"]
-    quantities = bed_quantities(build, folder)
-    if not bed:
-        quantities |= layer_quantities(build, folder, run["region"])
+    quantities = bed_quantities(build, folder) if bed else layer_quantities(build, folder, run["region"])
     return record | {
         "particles": summary["particles"],
         "steps": sum(stage["steps"] for stage in stages),

@@ -47,18 +47,21 @@ def reference_of(entry, entries):
     ]
 
 
-def shifts(entry, reference):
-    """How far each quantity is from the reference: in scatters of replicates and in standard errors of the difference.
+def shifts(entry, reference, alike):
+    """How far each quantity is from the reference: in scatters of replicates, which are taken to be the same in all
+    settings that are `alike`, and in standard errors of the difference.
 
     The difference is between runs of the same seed where there are enough: a particle bed keeps much of its random
     placement (correlation of beds of different steps: 0.2 at Bo 5, 0.75 at Bo 400).
     """
     found = {}
     for name, own in entry["quantities"].items():
-        usual = pooled(reference, name)
+        usual = pooled(alike, name)
+        if usual is None or usual["scatter"] == 0:
+            continue
         other = mean_by_seed([part["quantities"][name] for part in reference])
-        difference = student_difference(own["by_seed"], other)
-        if usual is None or usual["scatter"] == 0 or difference is None:
+        difference = student_difference(own["by_seed"], other, usual["scatter"])
+        if difference is None:
             continue
         error = difference["standard_error"]
         found[name] = {
@@ -66,21 +69,32 @@ def shifts(entry, reference):
             "scatters": abs(difference["mean"]) / usual["scatter"],
             "standard_errors": abs(difference["mean"]) / error if error else None,
             "chance": difference["chance"],
+            "chance_beyond_scatter": difference["chance_beyond"],
             "pairs": difference["pairs"],
         }
     return found
 
 
-def largest_shift(entry, reference):
-    """The quantity that is furthest off in scatters, and whether any is further off than chance makes one of so many:
-    `chance` is that of the least likely quantity times their number."""
-    found = shifts(entry, reference) if "quantities" in entry else {}
+def least_chance(found, key):
+    """That of the least likely of all quantities, times their number."""
+    known = [shift[key] for shift in found.values() if shift[key] is not None]
+    return min(1.0, min(known) * len(known)) if known else None
+
+
+def largest_shift(entry, reference, alike):
+    """The quantity that is furthest off in scatters, and how likely chance makes one of so many as far off:
+    `chance_of_any` if none were off at all, `chance_of_any_beyond_scatter` if all were off by one scatter."""
+    found = shifts(entry, reference, alike) if "quantities" in entry else {}
     if not found:
         return None
     name = max(found, key=lambda name: found[name]["scatters"])
-    known = [shift["chance"] for shift in found.values() if shift["chance"] is not None]
-    least = min(1.0, min(known) * len(known)) if known else None
-    return {"quantity": name, **found[name], "chance_of_any": least, "quantities": found}
+    return {
+        "quantity": name,
+        **found[name],
+        "chance_of_any": least_chance(found, "chance"),
+        "chance_of_any_beyond_scatter": least_chance(found, "chance_beyond_scatter"),
+        "quantities": found,
+    }
 
 
 def powder_rows(entries):
@@ -98,7 +112,7 @@ def powder_rows(entries):
                 "faults": entry["faults"],
                 "energy_balance_error": entry.get("energy_balance_error"),
                 "reference": [{"time_step": r["time_step"], "runs": r["runs"] - r["faults"]} for r in reference],
-                "shift": largest_shift(entry, reference),
+                "shift": largest_shift(entry, reference, [other for other in entries if "quantities" in other]),
             }
         )
     return rows
@@ -107,17 +121,13 @@ def powder_rows(entries):
 def powder_is_good(row):
     """No fault, energy accounted for, and no quantity further off than replicates are from each other.
 
-    With the few replicates that shorter steps have, means of equal quantities differ by a scatter now and then: up to
-    REFERENCE_STEP a shift of a scatter counts only if it is hardly chance. Longer steps have no such excuse.
+    The mean of a few replicates of the same thing is off by a scatter now and then: further off counts what chance
+    would hardly make of a shift of one scatter.
     """
     if row["faults"] or row["energy_balance_error"] >= ENERGY_LIMIT:
         return False
-    shift = row["shift"]
-    if shift is None or shift["scatters"] < 1:
-        return True
-    if row["time_step"] > REFERENCE_STEP:
-        return False
-    return shift["chance_of_any"] is None or shift["chance_of_any"] >= CHANCE_LIMIT
+    chance = row["shift"] and row["shift"]["chance_of_any_beyond_scatter"]
+    return chance is None or chance >= CHANCE_LIMIT
 
 
 def gain_at_equal_error(two_body):

@@ -80,13 +80,14 @@ def mean_by_seed(parts):
     return {seed: float(numpy.mean([p["by_seed"][seed] for p in parts if seed in p["by_seed"]])) for seed in seeds}
 
 
-def student_difference(own, other):
-    """Mean of own less other, its standard error, and how likely chance alone is to make it as large (two-sided,
-    Student); `pairs` is the number of runs of the same seed that were compared, 0 if all of both were.
+def student_difference(own, other, allowed=0.0):
+    """Mean of own less other, its standard error, and how likely chance alone is to make it as large: `chance` if
+    there were none (two-sided, Student), `chance_beyond` if it were the one that is allowed (one-sided). `pairs` is
+    the number of runs of the same seed that were compared, 0 if all of both were.
 
     Runs of the same seed begin with the same placement: what that does to both is no part of their difference. Fewer
     than LEAST_PAIRS say little of what is left; then the means of all runs are compared, with a scatter common to both.
-    Error and chance are None if there is nothing to tell a scatter from, all is None without a run.
+    Error and chances are None if there is nothing to tell a scatter from, all is None without a run.
     """
     seeds = [seed for seed in own if seed in other]
     if len(seeds) >= LEAST_PAIRS:
@@ -100,11 +101,18 @@ def student_difference(own, other):
         error = float((squares / freedom * (1 / len(own) + 1 / len(other))) ** 0.5) if freedom else None
     else:
         return None
-    chance = None
+    found = {"mean": mean, "standard_error": error, "chance": None, "chance_beyond": None, "pairs": len(seeds)}
     if error is not None:
-        score = abs(mean) / error if error > 0 else numpy.inf if mean else 0.0
-        chance = float(2 * student.sf(score, freedom))
-    return {"mean": mean, "standard_error": error, "chance": chance, "pairs": len(seeds)}
+        found["chance"] = 2 * chance_of(abs(mean), error, freedom)
+        found["chance_beyond"] = chance_of(abs(mean) - allowed, error, freedom)
+    return found
+
+
+def chance_of(excess, error, freedom):
+    """How likely a mean is to come out that much larger than it is (Student)."""
+    if error == 0:
+        return float((1 - numpy.sign(excess)) / 2)
+    return float(student.sf(excess / error, freedom))
 
 
 def relative_difference(own, other):

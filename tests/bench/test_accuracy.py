@@ -214,16 +214,19 @@ def test_a_short_step_is_held_to_the_shorter_ones_and_not_to_itself(modules):
     assert [[part["time_step"] for part in row["reference"]] for row in rows] == [[], [2e-8], [2e-8, 5e-8]]
     shift = rows[1]["shift"]
     assert shift["difference"] == pytest.approx(1)
-    assert shift["scatters"] == pytest.approx(1 / numpy.std(usual, ddof=1))
+    variances = [numpy.var(values, ddof=1) for values in (usual, off, off)]
+    assert shift["scatters"] == pytest.approx(1 / numpy.mean(variances) ** 0.5)
     differences = numpy.subtract(off, usual)
     assert shift["standard_errors"] == pytest.approx(1 / (numpy.std(differences, ddof=1) / 5**0.5))
     assert rows[0]["shift"] is None
 
 
-def test_a_short_step_may_be_off_by_chance_and_a_long_one_may_not(modules):
-    usual, chance = [1.0, 1.2, 0.8], [1.5, 0.9, 1.3]  # a scatter apart, but by no sure amount
-    for step, expected in ((5e-8, 5e-8), (1e-7, 2e-8)):
-        entries = [powder_entry(modules, 2e-8, usual), powder_entry(modules, step, chance)]
+def test_a_step_is_refused_for_what_is_surely_off_by_more_than_a_scatter(modules):
+    usual = [1.0, 1.2, 0.8, 1.1, 0.9]
+    by_chance, surely_but_less, surely = [1.3, 1.0, 1.25, 1.1, 1.2], [1.1, 1.29, 0.9, 1.2, 1.01], [1.4, 1.61, 1.19, 1.5, 1.3]
+    for values, expected in ((by_chance, 1e-7), (surely_but_less, 1e-7), (surely, 2e-8)):
+        entries = [powder_entry(modules, 2e-8, usual), powder_entry(modules, 1e-7, values)]
         (row,) = modules["recommend"].powder_rows(entries)[1:]
-        assert row["shift"]["scatters"] > 1 and row["shift"]["chance_of_any"] > 0.05
+        assert (row["shift"]["scatters"] > 1) == (values is not surely_but_less)
+        assert (row["shift"]["chance_of_any"] > 0.05) == (values is by_chance)
         assert longest(modules, entries) == expected

@@ -58,13 +58,16 @@ def test_difference_is_that_of_scipy(statistics):
     assert found["mean"] / found["standard_error"] == pytest.approx(expected.statistic)
     assert found["chance"] == pytest.approx(expected.pvalue)
     assert found["pairs"] == 8
+    beyond = scipy.stats.ttest_1samp(own - other, 0.15, alternative="greater")
+    assert statistics.student_difference(values(own), values(other), 0.15)["chance_beyond"] == pytest.approx(beyond.pvalue)
     difference = statistics.student_difference
     few = difference(values(own), values(other[:2]))  # two pairs say little: all of both
     expected = scipy.stats.ttest_ind(own, other[:2])
     assert few["mean"] / few["standard_error"] == pytest.approx(expected.statistic)
     assert (few["chance"], few["pairs"]) == (pytest.approx(expected.pvalue), 0)
     assert difference({1: 2.0}, {}) is None
-    assert difference({1: 2.0}, {1: 3.0}) == {"mean": -1, "standard_error": None, "chance": None, "pairs": 0}
+    unknown = {"standard_error": None, "chance": None, "chance_beyond": None}
+    assert difference({1: 2.0}, {1: 3.0}) == {"mean": -1, "pairs": 0} | unknown
     assert difference(values([2.0, 3, 4]), values([2.0, 3, 4]))["chance"] == 1
 
 

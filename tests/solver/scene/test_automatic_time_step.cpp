@@ -78,24 +78,24 @@ nlohmann::json measured(const char* part) {
     return nlohmann::json::parse(std::ifstream(RECOAT_ACCURACY)).at("recommended").at(part);
 }
 
-// docs/accuracy.md: the longest steps that keep the capture velocity to 1 % in the worst phase.
+// docs/accuracy.md: about half of the longest steps that keep the capture velocity to 1 % in the worst phase.
 TEST(AutomaticTimeStep, keeps_the_capture_velocity_at_every_ratio) {
     const nlohmann::json rows = measured("two_body");
     ASSERT_FALSE(rows.empty());
     for (const auto& row : rows) {
         const Scene scene =
             automatic(std::to_string(row.at("bond").get<double>()), std::to_string(row.at("ratio").get<double>()));
-        EXPECT_LE(scene.time_step, row.at("longest_step").get<double>()) << row;
+        EXPECT_LE(scene.time_step, 0.65 * row.at("longest_step").get<double>()) << row;
     }
 }
 
-// And the longest at which beds and layers cannot be told from those of shorter steps; not needlessly short either.
+// And of those at which beds and layers cannot be told from those of shorter steps; not needlessly short either.
 TEST(AutomaticTimeStep, keeps_beds_and_layers) {
     const nlohmann::json rows = measured("powder");
     ASSERT_FALSE(rows.empty());
     for (const auto& row : rows) {
         const Scene scene = automatic(std::to_string(row.at("bond").get<double>()), "0.001");
-        EXPECT_LE(scene.time_step, row.at("longest_step").get<double>()) << row;
+        EXPECT_LE(scene.time_step, 0.65 * row.at("longest_step").get<double>()) << row;
         EXPECT_GT(scene.time_step, 0.2 * row.at("longest_step").get<double>()) << row;
     }
 }
