@@ -80,7 +80,7 @@ def schemes(axes, study, kind, name):
     axes.plot(base["processor_seconds"], 0, "o", color="C0", markerfacecolor="white", zorder=4)
     axes.axhline(0, color="0.6", linewidth=0.6, zorder=0)
     axes.set(title=f"{kind}, Bo = {base['bond']:g}: {name}", ylabel="difference from hollow [%]")
-    time_axis(axes, "processor s per run; numbers: step [ns]")
+    time_axis(axes, "processor s per run; numbers: step [ns]", (1, 1.5, 2, 3, 5, 7))
     say_faults(axes, [e for e in study if e["kind"] == kind], lambda e: f"{SCHEME_NAMES[e['scheme']]}, ")
     room_above(axes, 0.35)
     axes.legend(loc="upper left")

@@ -6,12 +6,12 @@ from statistics_of_runs import mean_by_seed, relative_difference
 FAULT = "C3"
 
 
-def time_axis(axes, label):
-    """A logarithmic axis of times in plain numbers, with room beside the points."""
+def time_axis(axes, label, marks=(1, 2, 5)):
+    """A logarithmic axis of times in plain numbers, `marks` in each decade, with room beside the points."""
     axes.set_xscale("log")
     axes.margins(x=0.13, y=0.25)
     axes.xaxis.set_major_formatter("{x:g}")
-    axes.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axes.xaxis.set_major_locator(LogLocator(subs=marks))
     axes.xaxis.set_minor_formatter(NullFormatter())
     axes.set_xlabel(label)
 
