@@ -7,7 +7,7 @@ import tempfile
 from pathlib import Path
 
 from plan import PAPER_RATIO
-from two_body_errors import STABILITY, steps_from
+from two_body_errors import STABILITY, scene_settings, steps_from
 from workflow_scripts import Clock, solver_version, write_json
 
 BED = "bench/data/settled-bed.csv.gz"
@@ -17,15 +17,9 @@ REPEATS = 3
 
 def try_once(params, bed, case, step):
     """Particle-steps per second of one core; None beyond the stability limit."""
-    settings = {
-        "cohesion.bond_number": f"{case['bond']:g}",
-        "cohesion.scheme": case["scheme"],
-        "stiffness_ratio": case["ratio"],
-        "time_step": f"{step!r} s",
-    }
     command = [f"{params.build}/bench/step-rate", bed, "--scene", params.scene, "--bond", f"{case['bond']:g}"]
     command += ["--threads", "1", "--warm", "100", "--steps", "150"]
-    command += [part for key, value in settings.items() for part in ("--set", f"{key}={value}")]
+    command += scene_settings(case, step)
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     if run.returncode == 2 and STABILITY in run.stderr:
         return None

@@ -26,19 +26,24 @@ def steps_from(shortest, per_decade):
         number += 1
 
 
-def measure(build, scene, case, step, grid):
-    """What the program two-body finds at one time step; None beyond the stability limit."""
-    bond = f"{case['bond']:g}"
-    captures = [str(REFERENCE[f"capture.{kind}.{bond}"]) for kind in ("pair", "wall")]
+def scene_settings(case, step):
+    """Words of a command that make a case of a scene."""
     settings = {
-        "cohesion.bond_number": bond,
+        "cohesion.bond_number": f"{case['bond']:g}",
         "cohesion.scheme": case["scheme"],
         "stiffness_ratio": case["ratio"],
         "time_step": f"{step!r} s",
     }
+    return [part for key, value in settings.items() for part in ("--set", f"{key}={value}")]
+
+
+def measure(build, scene, case, step, grid):
+    """What the program two-body finds at one time step; None beyond the stability limit."""
+    bond = f"{case['bond']:g}"
+    captures = [str(REFERENCE[f"capture.{kind}.{bond}"]) for kind in ("pair", "wall")]
     command = [f"{build}/bench/accuracy/two-body", scene, "--phases", str(grid["phases"])]
     command += ["--capture", *captures, "--ramp", str(grid["ramp"]), "--longest", str(2 * REFERENCE[f"stop.{bond}.time"])]
-    command += [part for key, value in settings.items() for part in ("--set", f"{key}={value}")]
+    command += scene_settings(case, step)
     run = subprocess.run(command, capture_output=True, text=True, check=False)
     if run.returncode == 2 and STABILITY in run.stderr:
         return None
