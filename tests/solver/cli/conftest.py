@@ -86,6 +86,12 @@ def validator(root):
     return jsonschema.Draft202012Validator(schema)
 
 
+@pytest.fixture(scope="session")
+def model():
+    """The sections of a scene that say how particles behave, for scenes of a test's own."""
+    return MODEL
+
+
 @pytest.fixture
 def solver(build, tmp_path):
     program = build / "solver/recoat-solve"

@@ -71,13 +71,11 @@ def slab(centre, radius, low, high):
 
 
 @pytest.fixture(scope="module")
-def folder(build, tmp_path_factory):
+def folder(build, model, tmp_path_factory):
     """A filled column of 200 spheres, log-normal by mass."""
-    from conftest import MODEL
-
     folder = tmp_path_factory.mktemp("packing")
-    model = MODEL.replace("time_step: 1e-7 s", "time_step: 5e-8 s") + "seed: 3\ncohesion: {bond_number: 20}\n"
-    (folder / "fill.yaml").write_text("scene: spread\n" + model + FILL)
+    finer = model.replace("time_step: 1e-7 s", "time_step: 5e-8 s") + "seed: 3\ncohesion: {bond_number: 20}\n"
+    (folder / "fill.yaml").write_text("scene: spread\n" + finer + FILL)
     words = [build / "solver/recoat-solve", "run", "fill.yaml", "--out", "out", "--threads", "1", "--quiet"]
     done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=120, check=False)
     assert done.returncode == 0, done.stderr
