@@ -93,6 +93,18 @@ std::vector<ContactState> contacts_of(Snapshot s, const EngineSetup& setup) {
     });
 }
 
+Totals next_bookings(Snapshot s, const EngineSetup& setup) {
+    complete(s, setup);
+    return with_host_step(s, setup, [&](auto& step, auto) {
+        clear_counters(step.space, step.s.contacts, step.s.lost_rolling);
+        step.space.run(step.passes.contacts(step.s, step.memory(), setup.time_step));
+        step.space.run(step.passes.forces(step.s, step.memory()));
+        Totals booked;
+        booked.add(step.space, step.s.contacts, step.s.lost_rolling);
+        return booked;
+    });
+}
+
 EnergyLedger ledger_of(const Snapshot& snapshot, const EngineSetup& setup) {
     auto& s = const_cast<Snapshot&>(snapshot);
     EnergyLedger ledger = with_host_step(s, setup, [&](auto& step, auto) {
@@ -107,6 +119,7 @@ EnergyLedger ledger_of(const Snapshot& snapshot, const EngineSetup& setup) {
     OpenMP space(setup.resources.threads);
     Totals totals = s.totals;
     totals.add(space, s.contacts, s.lost_rolling);
+    totals.add(next_bookings(s, setup), 0.5);
     ledger.dissipated_normal = totals.lost_normal;
     // What friction took includes what its springs still hold.
     ledger.dissipated_tangential = totals.lost_tangential - ledger.elastic_tangential;

@@ -13,6 +13,10 @@ namespace recoat {
 /// Contacts with first < second, sorted; forces are those at the present positions.
 std::vector<ContactState> contacts_of(Snapshot snapshot, const EngineSetup& setup);
 
+/// What the step that begins now will book of losses and work of walls, but for the attraction of walls: powers at the
+/// present positions, times the step [J]. Half of it belongs to the time up to now [docs/stability.md].
+Totals next_bookings(Snapshot snapshot, const EngineSetup& setup);
+
 /// Energies that particles and contacts hold now, and lost since the start [J].
 EnergyLedger ledger_of(const Snapshot& snapshot, const EngineSetup& setup);
 

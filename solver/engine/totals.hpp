@@ -18,6 +18,15 @@ struct Totals {
         lost_rolling += sum(space, rolling);
     }
 
+    /// Adds a share of other energies.
+    void add(const Totals& other, double share) {
+        lost_normal += share * other.lost_normal;
+        lost_tangential += share * other.lost_tangential;
+        lost_rolling += share * other.lost_rolling;
+        wall_work += share * other.wall_work;
+        removed_with_walls += share * other.removed_with_walls;
+    }
+
     template <class Space, class Array>
     static double sum(Space& space, const Array& array) {
         const double* value = array.data();
