@@ -62,25 +62,27 @@ public:
     [[nodiscard]] std::vector<ContactState> contacts() const override { return contacts_of(snapshot(), setup_); }
 
     void set_wall_velocity(std::size_t wall, Vec3 velocity) override {
-        between_bookings([&] {
-            s_.walls.drive(wall, velocity, s_.step);
-            upload_walls();
-            seen_ = Seen::nothing;
-        });
+        s_.walls.drive(wall, velocity, s_.step);
+        upload_walls();
+        seen_ = Seen::nothing;
+        keep();
     }
 
     void remove_wall(std::size_t wall) override {
-        between_bookings([&] {
-            // Friction springs that go with the wall are already booked as taken by friction.
-            const auto held = [](const EnergyLedger& l) { return l.stored() - l.elastic_tangential; };
-            const double before = held(ledger());
-            s_.walls.remove(wall);
-            upload_walls();
-            lists_.refresh(space_, s_, anchors_);
-            seen_ = Seen::nothing;
-            s_.totals.removed_with_walls += before - held(ledger());
-            seen_ = Seen::nothing;
-        });
+        // Friction springs that go with the wall are already booked as taken by friction.
+        const auto held = [](const EnergyLedger& l) { return l.stored() - l.elastic_tangential; };
+        const double before = held(ledger());
+        const Totals booked = next_bookings(snapshot(), setup_);
+        s_.walls.remove(wall);
+        upload_walls();
+        lists_.refresh(space_, s_, anchors_);
+        seen_ = Seen::nothing;
+        s_.totals.removed_with_walls += before - held(ledger());
+        // What its contacts have lost up to now stays lost.
+        s_.totals.add(booked, 0.5);
+        s_.totals.add(next_bookings(snapshot(), setup_), -0.5);
+        seen_ = Seen::nothing;
+        keep();
     }
 
 private:
@@ -156,18 +158,6 @@ private:
         lists_.restore(space_, s_);
         seen_ = Seen::nothing;
         run_until(step);
-    }
-
-    /// Changes what powers depend on. The ledger is the trapezoidal rule of the powers: of those at this moment one half
-    /// counts as they were before the change, and one half as they are after it.
-    template <class Change>
-    void between_bookings(const Change& change) {
-        const Totals before = next_bookings(snapshot(), setup_);
-        change();
-        s_.totals.add(before, 0.5);
-        s_.totals.add(next_bookings(snapshot(), setup_), -0.5);
-        seen_ = Seen::nothing;
-        keep();
     }
 
     /// A first close list, and velocities half a step back.

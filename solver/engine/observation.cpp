@@ -98,7 +98,6 @@ Totals next_bookings(Snapshot s, const EngineSetup& setup) {
     return with_host_step(s, setup, [&](auto& step, auto) {
         clear_counters(step.space, step.s.contacts, step.s.lost_rolling);
         step.space.run(step.passes.contacts(step.s, step.memory(), setup.time_step));
-        step.space.run(step.passes.forces(step.s, step.memory()));
         Totals booked;
         booked.add(step.space, step.s.contacts, step.s.lost_rolling);
         return booked;

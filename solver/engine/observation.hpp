@@ -13,8 +13,10 @@ namespace recoat {
 /// Contacts with first < second, sorted; forces are those at the present positions.
 std::vector<ContactState> contacts_of(Snapshot snapshot, const EngineSetup& setup);
 
-/// What the step that begins now will book of losses and work of walls, but for the attraction of walls: powers at the
-/// present positions, times the step [J]. Half of it belongs to the time up to now [docs/stability.md].
+/// What the contact forces of the step that begins now will book of losses and work of walls: their powers at the
+/// present positions, times the step [J]. Half of it belongs to the time up to now: the ledger is the trapezoidal rule
+/// of the powers. Not so the attraction, whose work is that between two positions, nor rolling resistance, which may
+/// stop a spin within a step [docs/stability.md].
 Totals next_bookings(Snapshot snapshot, const EngineSetup& setup);
 
 /// Energies that particles and contacts hold now, and lost since the start [J].

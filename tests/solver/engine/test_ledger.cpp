@@ -100,9 +100,10 @@ TEST(Ledger, ClosesInTheMiddleOfAnImpact) {
     }
 }
 
-// Half of an impact under one velocity of the wall, half under another.
-TEST(Ledger, ClosesWhereAWallChangesItsVelocity) {
-    for (const double time_step : {1e-7, 2.5e-8}) {
+// A wall that changes its velocity during an impact does so between two steps, the second of which is whole: an error
+// of first order, once.
+TEST(Ledger, ClosesAfterAWallChangedItsVelocity) {
+    const auto imbalance = [](double time_step) {
         EngineScene scene{paper_setup(), {}, {plane("piston", {}, {0, 0, 1})}};
         scene.setup.time_step = time_step;
         scene.setup.gravity = {};
@@ -110,12 +111,15 @@ TEST(Ledger, ClosesWhereAWallChangesItsVelocity) {
         const auto engine = scene.engine();
         engine->set_wall_velocity(0, {0.03, 0, 0.05});
         engine->advance(std::lround(2e-6 / time_step));
-        const EnergyLedger before = engine->ledger();
-        engine->set_wall_velocity(0, {0, 0, -0.01});
-        const EnergyLedger after = engine->ledger();
-        EXPECT_NEAR(balance(before), balance(after), 1e-12 * before.wall_work);
-        EXPECT_NEAR(before.wall_work, after.wall_work, 1e-12 * before.wall_work);
-    }
+        const double before = balance(engine->ledger());
+        engine->set_wall_velocity(0, {0, 0, 0.03});
+        engine->advance(std::lround(1e-5 / time_step));
+        EXPECT_TRUE(engine->contacts().empty());
+        return std::fabs(balance(engine->ledger()) - before) / engine->ledger().wall_work;
+    };
+    const double coarse = imbalance(1e-7), fine = imbalance(2.5e-8);
+    EXPECT_LT(coarse, 0.02);
+    EXPECT_LT(fine, coarse / 3);
 }
 
 // Newton's third law in the contacts: what the particles of a free cluster have in total stays.
