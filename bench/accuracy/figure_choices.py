@@ -5,7 +5,9 @@ from matplotlib.ticker import NullLocator
 from recommend import PAPER_RATIO, SCHEME
 from statistics_of_runs import relative_difference
 from step_marks import label_steps, mark_faults, say_faults, time_axis
-from workflow_scripts import MARKERS, PAGE, pyplot, read_json
+from workflow_scripts import read_json
+
+from style import MARKERS, PAGE, pyplot  # isort: skip
 
 LAYER = ["median packing density", "roughness Ra [d_p]", "coordination number"]
 BED = ["bed packing density", "bed coordination number"]

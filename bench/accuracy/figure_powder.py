@@ -5,7 +5,9 @@ from matplotlib.patches import Patch
 from recommend import ENERGY_LIMIT, REFERENCE_STEP
 from statistics_of_runs import pooled
 from step_marks import FAULT, from_reference, label_steps, mark_faults, nearest_step, say_faults, time_axis
-from workflow_scripts import MARKERS, PAGE, pyplot, read_json
+from workflow_scripts import read_json
+
+from style import MARKERS, PAGE, pyplot  # isort: skip
 
 ROWS = [
     ("bed", "bed packing density"),

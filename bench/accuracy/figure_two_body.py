@@ -3,7 +3,9 @@
 import numpy
 from matplotlib.lines import Line2D
 
-from workflow_scripts import MARKERS, PAGE, pyplot, read_json
+from workflow_scripts import read_json
+
+from style import MARKERS, PAGE, pyplot  # isort: skip
 
 PAPER_RATIO = 0.001
 PAPER_STEP = 2e-8

@@ -12,7 +12,7 @@ from workflow_scripts import Clock, solver_version, write_json
 
 BED = "bench/data/settled-bed.csv.gz"
 SHORTEST_STEP = 2e-8  # what a step costs does not depend on it while pairs need no bracketed solve [s]
-REPEATS = 3
+REPEATS = 2
 
 
 def try_once(params, bed, case, step):

@@ -1,4 +1,8 @@
-"""The workflow's own helpers, so that beds and layers are cut out and figures drawn as in its report."""
+"""The workflow's own helpers, so that beds and layers are cut out as in its report.
+
+Figures take `style` from beside them once this is imported; it is not taken here, for it takes half a second that
+hundreds of runs would wait for.
+"""
 
 import resource
 import subprocess
@@ -11,7 +15,6 @@ from bed_region import bed_region  # noqa: E402
 from layer_region import layer_region  # noqa: E402
 from reporting import Implausible, read_json, write_json  # noqa: E402
 from states import read_state  # noqa: E402
-from style import MARKERS, PAGE, pyplot  # noqa: E402
 
 
 class Clock:
@@ -39,13 +42,10 @@ def solver_version(build):
 
 
 __all__ = [
-    "MARKERS",
-    "PAGE",
     "Clock",
     "Implausible",
     "bed_region",
     "layer_region",
-    "pyplot",
     "read_json",
     "read_state",
     "solver_version",
