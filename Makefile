@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench static bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
+.PHONY: setup programs build reproduce test lint bench bench-against static bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
 
 setup:
 	@./setup.sh
@@ -35,6 +35,12 @@ clean:
 
 bench: build
 	@bench/side_by_side.sh bench/results/side-by-side.json
+
+# The scenes of `make bench` with the programs of another commit, in turn; ARGUMENTS="--scenes bed --bonds 0 --shorten 10"
+BASE ?= HEAD
+bench-against: setup
+	@$(CONFIGURE) && $(COMPILE) --target step-rate recoat-solve
+	@.venv/bin/python bench/speed/against.py $(BASE) --out bench/results/against-$(BASE).json $(ARGUMENTS)
 
 # A solver without libraries of its own, for other machines, and what checks it there (bench/gpu.sh).
 static: setup

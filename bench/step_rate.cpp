@@ -9,10 +9,12 @@
 #include <vector>
 
 #include <CLI/CLI.hpp>
+#include <time.h>
 
 #include "common/error.hpp"
 #include "common/number.hpp"
 #include "solver/engine/engine.hpp"
+#include "solver/scene/initial_particles.hpp"
 #include "solver/scene/read_scene.hpp"
 
 namespace {
@@ -61,7 +63,21 @@ double coordination_number(const Engine& engine, std::size_t particles) {
     return touching / static_cast<double>(particles);
 }
 
-double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+/// Seconds by the clock, and processor seconds of all threads.
+struct Seconds {
+    double wall = 0, processor = 0;
+};
+
+Seconds now() {
+    timespec used{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+    const auto wall = std::chrono::steady_clock::now().time_since_epoch();
+    return {std::chrono::duration<double>(wall).count(),
+            static_cast<double>(used.tv_sec) + 1e-9 * static_cast<double>(used.tv_nsec)};
+}
+
+/// What is timed, and what callgrind counts (bench/speed/counts.py names this function): nothing but steps.
+[[gnu::noinline]] void timed_steps(Engine& engine, std::int64_t steps) { engine.advance(steps); }
 
 struct Options {
     std::string path, scene = "config/scene.yaml";
@@ -73,61 +89,80 @@ struct Options {
 
 void add_options(CLI::App& app, Options& o) {
     static const std::map<std::string, Backend> backends = {{"cpu", Backend::cpu}, {"cuda", Backend::cuda}};
-    app.add_option("bed", o.path, "CSV file: x,y,z,radius[,vx,vy,vz], SI units")->required();
+    app.add_option("bed", o.path,
+                   "CSV file: x,y,z,radius[,vx,vy,vz], SI units; a bed between end walls on a base, "
+                   "in place of the particles and walls of the scene");
     app.add_option("--bond", o.bond, "Bond number");
-    app.add_option("--length", o.length, "distance of the end walls [m]");
-    app.add_option("--width", o.width, "period in y [m]");
+    app.add_option("--length", o.length, "distance of the end walls of the bed [m]");
+    app.add_option("--width", o.width, "period of the bed in y [m]");
     app.add_option("--scene", o.scene, "scene file: the model and the step are taken from it");
     app.add_option("--set", o.settings, "a.b=v: overrides");
     app.add_option("--warm", o.warm, "steps before the clock starts");
     app.add_option("--steps", o.steps, "steps timed");
-    app.add_option("--tiles", o.tiles, "beds side by side along y");
+    app.add_option("--tiles", o.tiles, "beds side by side along y")->needs("bed");
     app.add_option("--threads", o.resources.threads, "threads");
     app.add_option("--backend", o.resources.backend, "cpu or cuda")->transform(CLI::CheckedTransformer(backends));
     app.add_option("--device", o.resources.device, "number of the CUDA device");
 }
 
-std::unique_ptr<Engine> engine_for(const Options& o, const ParticleTable& bed) {
-    std::vector<std::string> settings = o.settings;
-    settings.push_back("cohesion.bond_number=" + shortest(o.bond));
-    EngineSetup setup = engine_setup(load_scene(o.scene, settings), o.resources);
-    setup.y_period = o.width * static_cast<double>(o.tiles);
-    setup.domain_lower = {-1, -1, -1};
-    setup.domain_upper = {1, 1, 1};
+/// What is stepped.
+struct Start {
+    EngineSetup setup;
+    ParticleTable particles;
+    std::vector<Wall> walls;
+};
+
+Start bed_start(const Options& o, Start start) {
+    start.setup.y_period = o.width * static_cast<double>(o.tiles);
+    start.setup.domain_lower = {-1, -1, -1};
+    start.setup.domain_upper = {1, 1, 1};
+    start.particles = tiled(read_bed(o.path), o.tiles, o.width);
     const auto plane = [](const char* name, Vec3 point, Vec3 normal) {
         return Wall{name, WallKind::plane, point, normal, {}, {}, {}, true};
     };
-    return make_engine(
-        setup, bed,
-        {plane("base", {}, {0, 0, 1}), plane("left", {}, {1, 0, 0}), plane("right", {o.length, 0, 0}, {-1, 0, 0})});
+    start.walls = {plane("base", {}, {0, 0, 1}), plane("left", {}, {1, 0, 0}),
+                   plane("right", {o.length, 0, 0}, {-1, 0, 0})};
+    return start;
+}
+
+Start start_of(const Options& o) {
+    std::vector<std::string> settings = o.settings;
+    settings.push_back("cohesion.bond_number=" + shortest(o.bond));
+    const Scene scene = load_scene(o.scene, settings);
+    const EngineSetup setup = engine_setup(scene, o.resources);
+    if (!o.path.empty()) return bed_start(o, {setup, {}, {}});
+    return {setup, initial_particles(scene), scene.walls};
 }
 
 void measure(const Options& o) {
-    const ParticleTable bed = tiled(read_bed(o.path), o.tiles, o.width);
-    const auto engine = engine_for(o, bed);
+    const Start start = start_of(o);
+    const std::size_t particles = start.particles.size();
+    const auto engine = make_engine(start.setup, start.particles, start.walls);
     engine->advance(o.warm);
-    const double start = seconds();
-    engine->advance(o.steps);
-    const double wall = seconds() - start;
+    const Seconds before = now();
+    timed_steps(*engine, o.steps);
+    const Seconds after = now();
+    const double wall = after.wall - before.wall;
     // Looking at every contact of a large bed would take longer than the steps.
-    const double coordination = bed.size() <= 1'000'000 ? coordination_number(*engine, bed.size()) : NAN;
+    const double coordination = particles <= 1'000'000 ? coordination_number(*engine, particles) : NAN;
     std::printf(
         "{\"particles\": %zu, \"bond_number\": %g, \"backend\": \"%s\", \"threads\": %d, \"steps\": %lld, "
-        "\"seconds\": %.4f, \"particle_steps_per_second\": %.4g, \"coordination_number\": %s, "
-        "\"kinetic_energy\": %.4g}\n",
-        bed.size(), o.bond, name_of(o.resources.backend).c_str(), o.resources.threads, static_cast<long long>(o.steps),
-        wall, static_cast<double>(bed.size()) * static_cast<double>(o.steps) / wall,
+        "\"time_step\": %g, \"seconds\": %.4f, \"processor_seconds\": %.4f, \"particle_steps_per_second\": %.4g, "
+        "\"coordination_number\": %s, \"kinetic_energy\": %.4g}\n",
+        particles, o.bond, name_of(o.resources.backend).c_str(), o.resources.threads, static_cast<long long>(o.steps),
+        start.setup.time_step, wall, after.processor - before.processor,
+        static_cast<double>(particles) * static_cast<double>(o.steps) / wall,
         (std::isnan(coordination) ? "null" : std::to_string(coordination)).c_str(), engine->kinetic_energy());
 }
 
 }  // namespace
 
-/// Particle-steps per second on a settled bed between two end walls on a base, periodic in y; the first steps are
-/// not timed.
+/// Particle-steps per second of a scene of particles, or of a settled bed between two end walls on a base, periodic in
+/// y; the first steps are not timed.
 int main(int argc, char** argv) {
     return run_program("step-rate", [&] {
         Options options;
-        CLI::App app("Particle-steps per second on a settled bed");
+        CLI::App app("Particle-steps per second of a scene of particles, or of a bed");
         add_options(app, options);
         CLI11_PARSE(app, argc, argv);
         measure(options);
