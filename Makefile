@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench bench-against static bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
+.PHONY: setup programs build reproduce test lint bench bench-against bench-reproduce static bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
 
 setup:
 	@./setup.sh
@@ -33,14 +33,24 @@ lint: build
 clean:
 	@rm -rf build .snakemake results/reduced results/smoke
 
-bench: build
-	@bench/side_by_side.sh bench/results/side-by-side.json
+# Rates of the solver beside LIGGGHTS, LAMMPS and a former commit, within MINUTES; goes on where it was stopped. Needs a quiet
+# machine. BASE= leaves the former commit out.
+MINUTES ?= 30
+bench: setup
+	@RECOAT_PEERS=1 ./setup.sh
+	@$(CONFIGURE) && $(COMPILE) --target step-rate recoat-solve machine-limits
+	@.venv/bin/python -m venv build/peers && build/peers/bin/pip install --quiet -r bench/peers/requirements.txt
+	@python bench/speed/bench.py --minutes $(MINUTES) $(if $(filter undefined,$(origin BASE)),,--base "$(BASE)") $(ARGUMENTS)
+	@python bench/speed/table.py
 
-# The scenes of `make bench` with the programs of another commit, in turn; ARGUMENTS="--scenes bed --bonds 0 --shorten 10"
-BASE ?= HEAD
+# Its scenes with the programs of another commit only, in turn; ARGUMENTS="--scenes bed --bonds 0 --shorten 10" for a first look.
 bench-against: setup
 	@$(CONFIGURE) && $(COMPILE) --target step-rate recoat-solve
-	@.venv/bin/python bench/speed/against.py $(BASE) --out bench/results/against-$(BASE).json $(ARGUMENTS)
+	@python bench/speed/against.py $(or $(BASE),HEAD) --out bench/results/against-$(or $(BASE),HEAD).json $(ARGUMENTS)
+
+# Processor time of `make reproduce` with the last commit and with a former one, each from nothing after its build.
+bench-reproduce: setup
+	@python bench/speed/reproduce.py $(or $(BASE),6e58aa8)
 
 # A solver without libraries of its own, for other machines, and what checks it there (bench/gpu.sh).
 static: setup

@@ -21,6 +21,10 @@ fi
 if [ -n "${RECOAT_SANITIZE:-}" ]; then
     packages+=(libomp-dev dpkg-dev)
 fi
+# Only for `make bench`: a program to compare with, and what counts instructions.
+if [ -n "${RECOAT_PEERS:-}" ]; then
+    packages+=(liggghts valgrind)
+fi
 
 installed() { dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p'; }
 

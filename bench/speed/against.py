@@ -25,7 +25,7 @@ def arguments():
     parser = argparse.ArgumentParser(description="Ratios of rates between two commits")
     parser.add_argument("base", help="commit, or build folder with bench/step-rate")
     parser.add_argument("--build", default=os.environ.get("RECOAT_BUILD", ROOT / "build/release"), help="of today")
-    parser.add_argument("--scenes", nargs="+", choices=PLAN["scenes"], default=list(PLAN["scenes"]))
+    parser.add_argument("--scenes", nargs="+", choices=PLAN["scenes"], default=PLAN["main_scenes"])
     parser.add_argument("--bonds", nargs="+", type=float, default=PLAN["bond_numbers"])
     parser.add_argument("--threads", nargs="+", type=int, default=ONE_THREAD)
     parser.add_argument("--repeats", type=int, default=PLAN["repeats"])

@@ -13,16 +13,16 @@ MEASURED_BY = ("bench/step_rate.cpp",)
 TARGETS = ("step-rate", "recoat-solve")
 
 
-def built(revision, cores):
-    """Build folder of `revision`; it is made in build/against unless it is there."""
+def built(revision, cores, targets=TARGETS):
+    """Build folder of `revision`; it is made in build/against, in a folder of that commit's sources, unless it is there."""
     name = commit(revision)
     folder = ROOT / "build/against" / name
     build = folder / "build/release"
-    if not (folder / "done").exists():
+    if not (folder / "unpacked").exists():
         unpack(name, folder)
+        (folder / "unpacked").touch()
     overlay(folder)
-    compile_programs(folder, build, cores)
-    (folder / "done").touch()
+    compile_programs(folder, build, cores, targets)
     return build
 
 
@@ -43,10 +43,10 @@ def overlay(folder):
             shutil.copy(source, target)
 
 
-def compile_programs(folder, build, cores):
-    """Builds both programs; says what the compiler said where it fails."""
+def compile_programs(folder, build, cores, targets):
+    """Builds the programs; says what the compiler said where it fails."""
     cmake = ["cmake", "--preset", "release", "--log-level=WARNING", "-DRECOAT_TESTS=OFF", "-DRECOAT_CUDA=OFF"]
-    make = ["cmake", "--build", build, "--parallel", cores, "--target", *TARGETS]
+    make = ["cmake", "--build", build, "--parallel", cores, "--target", *targets]
     for command in ([] if (build / "build.ninja").exists() else [cmake]) + [make]:
         done = run(command, cwd=folder, env=apart(folder))
         if done.code != 0:

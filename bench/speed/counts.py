@@ -1,0 +1,113 @@
+"""Instructions, floating-point operations and bytes of one particle-step, counted by callgrind on an AVX2 build.
+
+Callgrind knows no AVX-512, so a build of its own for AVX2 is counted, the same wherever it is made: build/counted.
+An operation on a vector counts once for each of its lanes, a fused multiply-add twice; comparisons and moves do not.
+Bytes requested are the operands of loads and stores. Bytes from beyond the second-level cache are 64 for each miss of
+a simulated cache of 512 KiB behind 32 KiB; what goes back to memory is not in them.
+"""
+
+import hashlib
+import re
+from collections import Counter
+
+from measuring import run
+from recoat import with_set
+from scenes import ROOT
+
+FOLDER = ROOT / "build/counted"
+LINE = 64
+CACHES = ("--I1=32768,8,64", "--D1=32768,8,64", "--LL=524288,8,64")
+COUNTED_FUNCTION = "*timed_steps*"
+
+WIDTHS = {"zmm": 64, "ymm": 32, "xmm": 16}
+ARITHMETIC = re.compile(r"^v?(?P<fused>fn?m(?:add|sub|addsub|subadd)\d{3}|add|sub|mul|div|sqrt|rsqrt|rcp|addsub)(?P<kind>[ps][ds])$")
+OPERANDS = {"ZMMWORD": 64, "YMMWORD": 32, "XMMWORD": 16, "QWORD": 8, "DWORD": 4, "WORD": 2, "BYTE": 1, "TBYTE": 10}
+INSTRUCTION = re.compile(r"^\s*([0-9a-f]+):\s+(?:\{\w+\}\s+)?([a-z0-9]+)\s*(.*)$")
+
+
+def build(cores):
+    """Builds step-rate for AVX2 unless it is there; returns the program."""
+    configure = ["cmake", "-S", ROOT, "-B", FOLDER, "-G", "Ninja", "--log-level=WARNING", "-DCMAKE_BUILD_TYPE=Release"]
+    options = ["-DRECOAT_NATIVE=OFF", "-DRECOAT_TESTS=OFF", "-DRECOAT_CUDA=OFF", "-DCMAKE_CXX_FLAGS=-march=x86-64-v3"]
+    make = ["cmake", "--build", FOLDER, "--parallel", cores, "--target", "step-rate"]
+    for command in ([*configure, *options], make):
+        done = run(command, cwd=ROOT)
+        if done.code != 0:
+            raise SystemExit(f"{' '.join(map(str, command))} failed:\n{(done.output + done.errors)[-2000:]}")
+    return FOLDER / "bench/step-rate"
+
+
+def fingerprint(program):
+    """Changes whenever the program does."""
+    return hashlib.sha256(program.read_bytes()).hexdigest()[:16]
+
+
+def operations(mnemonic, operands):
+    """Floating-point operations of one instruction, over all lanes."""
+    match = ARITHMETIC.match(mnemonic)
+    if not match:
+        return 0
+    size = 8 if match["kind"].endswith("d") else 4
+    width = next((bytes_ for name, bytes_ in WIDTHS.items() if name in operands), 16)
+    lanes = width // size if match["kind"].startswith("p") else 1
+    return lanes * (2 if match["fused"].startswith(("fm", "fnm")) else 1)
+
+
+def bytes_of(operands):
+    """Size of the operand in memory of one instruction; that of a register where it has none, as for push and ret."""
+    match = re.search(r"(\w+) PTR", operands)
+    return OPERANDS.get(match[1], 8) if match else 8
+
+
+def disassembly(program):
+    """Mnemonic and operands by address."""
+    done = run(["objdump", "-d", "-M", "intel", "--no-show-raw-insn", program])
+    matches = (INSTRUCTION.match(line) for line in done.output.splitlines())
+    return {int(match[1], 16): (match[2], match[3].split("#")[0]) for match in matches if match}
+
+
+def events(file):
+    """From a file of callgrind, uncompressed: names of events, totals, and for each object the counts by address."""
+    names, totals, counts, current, skip = [], Counter(), {}, "", False
+    for line in file.read_text().splitlines():
+        if line.startswith("events:"):
+            names = line.split()[1:]
+        elif line.startswith("ob="):
+            current = line[3:]
+        elif line.startswith("calls="):
+            skip = True
+        elif line[:2] == "0x":
+            if not skip:
+                address, *fields = line.split()
+                values = Counter(dict(zip(names, map(int, fields[1:]))))
+                counts.setdefault(current, {}).setdefault(int(address, 16), Counter()).update(values)
+                totals.update(values)
+            skip = False
+    return totals, counts
+
+
+def count(program, scene, bond, warm, steps, settings=()):
+    """Counts per particle-step over `steps` steps after `warm` that do not count."""
+    out = FOLDER / "callgrind.out"
+    tool = ["valgrind", "--tool=callgrind", "--dump-instr=yes", "--cache-sim=yes", *CACHES, f"--callgrind-out-file={out}"]
+    plain = ["--compress-strings=no", "--compress-pos=no", f"--toggle-collect={COUNTED_FUNCTION}"]
+    command = [program, "--scene", scene, "--bond", f"{bond:g}", "--threads", 1, "--warm", warm, "--steps", steps]
+    done = run([*tool, *plain, *command, *with_set(settings)])
+    if done.code != 0:
+        raise RuntimeError(f"{' '.join(map(str, command))} under callgrind: {done.errors[-1000:]}")
+    particles = int(re.search(r'"particles": (\d+)', done.output)[1])
+    return per_particle_step(*events(out), disassembly(program), str(program), particles * steps)
+
+
+def per_particle_step(totals, counts, code, program, work):
+    """The table's entries from the counts."""
+    flops = requested = 0
+    for name, addresses in counts.items():
+        for address, values in addresses.items():
+            mnemonic, operands = code.get(address, ("", "")) if name == program else ("", "")
+            flops += values["Ir"] * operations(mnemonic, operands)
+            requested += (values["Dr"] + values["Dw"]) * bytes_of(operands)
+    misses = [LINE * (totals[f"{level}mr"] + totals[f"{level}mw"]) for level in ("D1", "DL")]
+    entries = {"instructions": totals["Ir"], "operations": flops, "bytes_requested": requested}
+    entries |= {"bytes_beyond_first_cache": misses[0], "bytes_beyond_second_cache": misses[1]}
+    return {name: round(value / work, 2) for name, value in entries.items()}
