@@ -3,6 +3,8 @@
 import json
 from pathlib import Path
 
+from machine import ROOT
+
 
 class Journal:
     """Records by key; a key names program, its fingerprint, case and repeat. A line cut short is made anew."""
@@ -26,7 +28,7 @@ class Journal:
             try:
                 record = make()
             except RuntimeError as error:
-                record = {"failed": str(error)[-600:]}
+                record = {"failed": str(error).replace(f"{ROOT}/", "")[-600:]}
             self.file.parent.mkdir(parents=True, exist_ok=True)
             with self.file.open("a") as stream:
                 stream.write(json.dumps({"key": key, "record": record}) + "\n")
