@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench bench-against bench-reproduce static bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
+.PHONY: setup programs build reproduce test lint bench bench-against bench-instructions bench-reproduce static bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
 
 setup:
 	@./setup.sh
@@ -47,6 +47,12 @@ bench: setup
 bench-against: setup
 	@$(CONFIGURE) && $(COMPILE) --target step-rate recoat-solve
 	@python bench/speed/against.py $(or $(BASE),HEAD) --out bench/results/against-$(or $(BASE),HEAD).json $(ARGUMENTS)
+
+# Instructions, operations and bytes per particle-step beside those of the last commit counted; a busy machine does not matter.
+bench-instructions: setup
+	@RECOAT_PEERS=1 ./setup.sh
+	@$(CONFIGURE) && $(COMPILE) --target step-rate recoat-solve
+	@python bench/speed/instructions.py $(ARGUMENTS)
 
 # Processor time of `make reproduce` with the last commit and with a former one, each from nothing after its build.
 bench-reproduce: setup

@@ -44,7 +44,7 @@ class Bench:
     def __init__(self, options):
         self.options, self.start = options, time.monotonic()
         self.steps = shortened(PLAN["scenes"], 100) if options.quick else PLAN["scenes"]
-        self.repeats = 1 if options.quick else PLAN["repeats"]
+        self.repeats, self.other_repeats = (1, 1) if options.quick else (PLAN["repeats"], PLAN["other_repeats"])
         machine = hashlib.sha256(description().encode()).hexdigest()[:8]
         self.journal = Journal(WORK / f"{'quick' if options.quick else 'journal'}-{machine}.jsonl")
         self.files = prepare(ROOT / "build/bench-scenes", list(self.steps))
@@ -75,18 +75,20 @@ class Bench:
             yield Peer(name, peers, self.steps, skins, like, self.journal, cases)
 
     def cases(self):
-        """The most important first."""
-        for threads in (1, 2):
-            for bond in PLAN["bond_numbers"]:
-                yield from (Case(scene, bond, threads) for scene in PLAN["main_scenes"])
+        """Every case, and the key ones."""
+        every = [Case(scene, bond, threads) for threads in (1, 2) for bond in PLAN["bond_numbers"] for scene in PLAN["main_scenes"]]
+        return every, [Case(scene, bond, threads) for bond, scene, threads in PLAN["key_cases"]]
+
+    def entries(self, cases):
+        return [((str(case), contender.name), contender, case) for case in cases for contender in self.contenders if contender.takes(case)]
 
     def minutes(self):
         return (time.monotonic() - self.start) / 60
 
-    def rounds(self, entries):
+    def rounds(self, entries, repeats):
         """Runs the entries (key, contender, case) in turn, the next round backwards; returns lists of records by key."""
         records = {}
-        for repeat in range(self.repeats):
+        for repeat in range(repeats):
             for key, contender, case in entries if repeat % 2 == 0 else reversed(entries):
                 name = f"{contender.key(case)} | {repeat}"
                 if repeat > 0 and self.minutes() > self.options.minutes and name not in self.journal.records:
@@ -127,34 +129,33 @@ def limits(bench):
 
 def counted(bench):
     """Instructions, operations and bytes per particle-step, by scene and Bond number."""
-    plan = shortened({"counts": {key: PLAN["counts"][key] for key in ("warm", "steps")}}, 50 if bench.options.quick else 1)["counts"]
-    program = counts.build(os.cpu_count())
-    fingerprint = counts.fingerprint(program)
+    quick = bench.options.quick
+    plan = PLAN["counts"] | ({"warm": 2, "steps": 2} if quick else {})
+    program, bonds = counts.build(os.cpu_count()), [0] if quick else PLAN["bond_numbers"]
+    precisions = counts.precisions_of(bench.today, bench.files["bed"], PLAN["precisions"], PLAN["awake"])
     rows = []
-    for scene in PLAN["counts"]["scenes"]:
-        for bond in PLAN["bond_numbers"] if not bench.options.quick else [0]:
-            key = f"counts {fingerprint} {scene} {bond} {plan['steps']}"
-            settings = [setting for setting in PLAN["awake"] if bench.today.accepts(bench.files[scene], (setting,))]
-            record = bench.journal.once(key, lambda: counts.count(program, bench.files[scene], bond, plan["warm"], plan["steps"], settings))
-            rows.append({"scene": scene, "bond_number": bond, **record})
-            print(f"{bench.minutes():5.1f} min  {key}: {record}", flush=True)
+    for row in counts.rows_of(program, plan, bonds, precisions, bench.files, bench.journal.once):
+        print(f"{bench.minutes():5.1f} min  counts: {row}", flush=True)
+        rows.append(row)
     return rows
 
 
-def side_by_side(bench):
-    entries = [((str(case), contender.name), contender, case) for case in bench.cases() for contender in bench.contenders if contender.takes(case)]
-    return case_rows(list(bench.cases()), bench.contenders, bench.rounds(entries), bench.base.name if bench.base else None)
-
-
 def skipped(bench):
+    """Pairs of cases of which one has something that the other has not."""
     entries = []
     for row in PLAN["skipped"]:
         for side in ("with", "without"):
-            settings = row[side].get("set", [])
-            preferred = () if settings and settings[0].startswith("sleep") else tuple(PLAN["awake"])
-            contender = bench.ours("recoat", bench.today, settings, preferred)
-            entries.append(((row["what"], side), contender, Case(row[side]["scene"], row[side]["bond"], 1)))
-    return skipped_rows(PLAN["skipped"], bench.rounds(entries))
+            entries.append(((row["what"], side), skipped_contender(bench, row, row[side]), Case(row[side]["scene"], row[side]["bond"], 1)))
+    return skipped_rows(PLAN["skipped"], bench.rounds(entries, bench.other_repeats))
+
+
+def skipped_contender(bench, row, side):
+    """Ours with the settings of one side of a row, and with its own number of steps before the clock starts."""
+    settings, steps = side.get("set", []), dict(bench.steps)
+    if "warm" in row and not bench.options.quick:
+        steps[side["scene"]] = steps[side["scene"]] | {"warm": row["warm"], "warm_cohesive": row["warm"]}
+    awake = [setting for setting in PLAN["awake"] if setting.split("=")[0] not in {given.split("=")[0] for given in settings}]
+    return Ours("recoat", bench.today, bench.files, steps, tuple(settings), tuple(awake))
 
 
 def whole(bench):
@@ -165,8 +166,8 @@ def whole(bench):
         for build in builds:
             contender = bench.ours(f"{build.name}, as a user has it", build, (whole_case.AUTOMATIC,), ())
             entries.append(((bond, build.name), contender, Case("heap", bond, 1)))
-    pieces = bench.rounds(entries)
-    for repeat in range(min(3, bench.repeats)):
+    pieces = bench.rounds(entries, bench.other_repeats)
+    for repeat in range(bench.other_repeats):
         for bond in PLAN["bond_numbers"]:
             for build in builds:
                 key = f"check {build.fingerprint()} {bond} | {repeat}"
@@ -179,10 +180,12 @@ def main():
     options = arguments()
     bench = Bench(options)
     result = header("bench/speed/bench.py" + (" --quick" if options.quick else "")) | {"load_average_before": os.getloadavg()}
-    result["limits"] = limits(bench)
-    result["counts"] = counted(bench)
-    for name, part in (("side_by_side", side_by_side), ("skipped", skipped), ("whole_case", whole)):
-        result[name] = part(bench)
+    every, key = bench.cases()
+    records = bench.rounds(bench.entries(key), bench.repeats)
+    result["limits"], result["counts"] = limits(bench), counted(bench)
+    result["skipped"], result["whole_case"] = skipped(bench), whole(bench)
+    records |= bench.rounds(bench.entries([case for case in every if case not in key]), bench.other_repeats)
+    result["side_by_side"] = case_rows(every, bench.contenders, records, bench.base.name if bench.base else None)
     result["minutes"] = round(bench.minutes(), 1)
     Path(options.out).write_text(json.dumps(result, indent=1) + "\n")
     bench.journal.close()

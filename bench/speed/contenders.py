@@ -40,7 +40,7 @@ class Ours:
     def run(self, case):
         """A record, or None where the build does not know a required setting."""
         file, plan = self.files[case.scene], self.steps[case.scene]
-        known = tuple(setting for setting in self.preferred if self.build.accepts(file, (setting,)))
+        known = self.build.known(file, self.preferred)
         warm = plan["warm_cohesive" if case.bond > 0 else "warm"]
         return self.build.rate(file, case.bond, case.threads, warm, plan["steps"], self.required + known)
 

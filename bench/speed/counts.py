@@ -7,8 +7,13 @@ a simulated cache of 512 KiB behind 32 KiB; what goes back to memory is not in t
 """
 
 import hashlib
+import os
 import re
 from collections import Counter
+from concurrent.futures import ThreadPoolExecutor
+from functools import cache, partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
 
 from measuring import run
 from recoat import with_set
@@ -59,6 +64,7 @@ def bytes_of(operands):
     return OPERANDS.get(match[1], 8) if match else 8
 
 
+@cache
 def disassembly(program):
     """Mnemonic and operands by address."""
     done = run(["objdump", "-d", "-M", "intel", "--no-show-raw-insn", program])
@@ -88,15 +94,16 @@ def events(file):
 
 def count(program, scene, bond, warm, steps, settings=()):
     """Counts per particle-step over `steps` steps after `warm` that do not count."""
-    out = FOLDER / "callgrind.out"
-    tool = ["valgrind", "--tool=callgrind", "--dump-instr=yes", "--cache-sim=yes", *CACHES, f"--callgrind-out-file={out}"]
-    plain = ["--compress-strings=no", "--compress-pos=no", f"--toggle-collect={COUNTED_FUNCTION}"]
-    command = [program, "--scene", scene, "--bond", f"{bond:g}", "--threads", 1, "--warm", warm, "--steps", steps]
-    done = run([*tool, *plain, *command, *with_set(settings)])
-    if done.code != 0:
-        raise RuntimeError(f"{' '.join(map(str, command))} under callgrind: {done.errors[-1000:]}")
+    command = [program, "--scene", scene, "--bond", f"{bond:g}", "--threads", 1, "--warm", warm, "--steps", steps, *with_set(settings)]
+    with TemporaryDirectory() as folder:
+        out = Path(folder) / "callgrind.out"
+        tool = ["valgrind", "--tool=callgrind", "--dump-instr=yes", "--cache-sim=yes", *CACHES, f"--callgrind-out-file={out}"]
+        done = run([*tool, "--compress-strings=no", "--compress-pos=no", f"--toggle-collect={COUNTED_FUNCTION}", *command])
+        if done.code != 0:
+            raise RuntimeError(f"{' '.join(map(str, command))} under callgrind: {done.errors[-1000:]}")
+        found = events(out)
     particles = int(re.search(r'"particles": (\d+)', done.output)[1])
-    return per_particle_step(*events(out), disassembly(program), str(program), particles * steps)
+    return per_particle_step(*found, disassembly(program), str(program), particles * steps)
 
 
 def per_particle_step(totals, counts, code, program, work):
@@ -111,3 +118,24 @@ def per_particle_step(totals, counts, code, program, work):
     entries = {"instructions": totals["Ir"], "operations": flops, "bytes_requested": requested}
     entries |= {"bytes_beyond_first_cache": misses[0], "bytes_beyond_second_cache": misses[1]}
     return {name: round(value / work, 2) for name, value in entries.items()}
+
+
+def rows_of(program, plan, bonds, precisions, files, once=lambda key, make: make()):
+    """Counts of the scenes of a plan at Bond numbers, several at a time; `precisions`: settings of each by name;
+    `once(key, make)` makes a record, or knows it already."""
+    same = f"{fingerprint(program)} {plan['warm']} {plan['steps']}"
+    cases = [(scene, bond, name) for scene in plan["scenes"] for bond in bonds for name in precisions]
+
+    def row(case):
+        scene, bond, name = case
+        make = partial(count, program, files[scene], bond, plan["warm"], plan["steps"], precisions[name])
+        return {"scene": scene, "bond_number": bond, "precision": name, **once(f"counts {same} {scene} {bond} {' '.join(precisions[name])}", make)}
+
+    with ThreadPoolExecutor(os.cpu_count()) as pool:
+        yield from pool.map(row, cases)
+
+
+def precisions_of(build, file, precisions, others):
+    """Settings of every precision that a build knows, with those of the others that it knows; {"": ...} where it knows none."""
+    known = {name: (setting, *build.known(file, others)) for name, setting in precisions.items() if build.accepts(file, (setting,))}
+    return known or {"": build.known(file, others)}

@@ -42,6 +42,10 @@ class Build:
             raise RuntimeError(f"{self.solver}: {done.errors.strip()}")
         return done.code == 0
 
+    def known(self, scene, settings):
+        """Those of the settings that this commit's scenes have."""
+        return tuple(setting for setting in settings if self.accepts(scene, (setting,)))
+
     def rate(self, scene, bond, threads, warm, steps, settings=()):
         """Makes one run; its record, or None where this commit's scenes do not have such settings."""
         if not self.accepts(scene, tuple(settings)):

@@ -12,6 +12,7 @@ from machine import ROOT
 
 RESULT = ROOT / "bench/results/speed.json"
 NAMES = {"bed": "settled bed, 10,000", "large_bed": "settled bed, 100,000", "heap": "heap before the blade", "layer": "sparse layer, at rest"}
+KINDS = {"double": "double", "mixed": "single"}  # of the arithmetic of a precision's laws
 COUNTS = {
     "instructions": "instructions (AVX2)",
     "operations": "operations",
@@ -29,6 +30,13 @@ def millions(row):
         return "fails" if "failed" in row else "not available"
     rate = row["rate"]
     return f"{rate['median'] / 1e6:.2f} ({rate['least'] / 1e6:.2f} to {rate['largest'] / 1e6:.2f})"
+
+
+def missing(result):
+    """What could not be measured here."""
+    names = dict.fromkeys(name for row in result["side_by_side"] for name in row["rates"])
+    without = [name for name in names if name not in names_of(result["side_by_side"])]
+    return f" Not available: {'; '.join(without)}." if without else ""
 
 
 def ratio(value):
@@ -88,16 +96,16 @@ def bounds(result):
     lines = []
     for row in result["counts"]:
         rates_of_case = by_case.get((row["scene"], row["bond_number"]), {})
-        measured = [rates_of_case[name]["rate"]["median"] for name in ("recoat, double", "recoat") if "rate" in rates_of_case.get(name, {})]
-        ours = measured[0] if measured else None
+        name, kind = (f"recoat, {row['precision']}", KINDS[row["precision"]]) if row["precision"] else ("recoat", "double")
+        ours = rates_of_case.get(name, {}).get("rate", {}).get("median")
         if "instructions" not in row:
             continue
         shares = ["-", "-"]
         if ours:
-            shares = [f"{100 * ours * row['operations'] / limits['operations_double_per_second']:.0f} %"]
+            shares = [f"{100 * ours * row['operations'] / limits[f'operations_{kind}_per_second']:.0f} %"]
             shares += [f"{100 * ours * row['bytes_beyond_first_cache'] / limits['cached_stream_bytes_per_second']:.0f} %"]
-        lines.append([NAMES[row["scene"]], f"{row['bond_number']:g}", *(f"{row[key]:.0f}" for key in COUNTS), *shares])
-    return table(["per particle-step", "Bo", *COUNTS.values(), "of peak operations", "of the stream from L2"], lines)
+        lines.append([NAMES[row["scene"]], f"{row['bond_number']:g}", row["precision"], *(f"{row[key]:.0f}" for key in COUNTS), *shares])
+    return table(["per particle-step", "Bo", "precision", *COUNTS.values(), "of peak operations", "of the stream from L2"], lines)
 
 
 def skipped(result):
@@ -151,7 +159,7 @@ def limits_text(result):
 def report(result):
     """All tables as Markdown."""
     parts = [
-        f"{origin(result)}. Medians of runs that took turns, with the least and the largest.{busy(result)}",
+        f"{origin(result)}. Medians of runs that took turns, with the least and the largest.{missing(result)}{busy(result)}",
         "One core:\n\n" + rates(result, 1),
         "Two cores (threads; processes of LIGGGHTS and LAMMPS without `omp`):\n\n" + rates(result, 2),
         lead(result),
