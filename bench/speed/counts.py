@@ -108,14 +108,16 @@ def count(program, scene, bond, warm, steps, settings=()):
 
 def per_particle_step(totals, counts, code, program, work):
     """The table's entries from the counts."""
-    flops = requested = 0
+    flops = quotients = requested = 0
     for name, addresses in counts.items():
         for address, values in addresses.items():
             mnemonic, operands = code.get(address, ("", "")) if name == program else ("", "")
-            flops += values["Ir"] * operations(mnemonic, operands)
+            done = values["Ir"] * operations(mnemonic, operands)
+            flops += done
+            quotients += done if "div" in mnemonic or "sqrt" in mnemonic else 0
             requested += (values["Dr"] + values["Dw"]) * bytes_of(operands)
     misses = [LINE * (totals[f"{level}mr"] + totals[f"{level}mw"]) for level in ("D1", "DL")]
-    entries = {"instructions": totals["Ir"], "operations": flops, "bytes_requested": requested}
+    entries = {"instructions": totals["Ir"], "operations": flops, "quotients_and_roots": quotients, "bytes_requested": requested}
     entries |= {"bytes_beyond_first_cache": misses[0], "bytes_beyond_second_cache": misses[1]}
     return {name: round(value / work, 2) for name, value in entries.items()}
 

@@ -16,6 +16,7 @@ KINDS = {"double": "double", "mixed": "single"}  # of the arithmetic of a precis
 COUNTS = {
     "instructions": "instructions (AVX2)",
     "operations": "operations",
+    "quotients_and_roots": "of these quotients and roots",
     "bytes_requested": "bytes requested",
     "bytes_beyond_first_cache": "from beyond 32 KiB",
     "bytes_beyond_second_cache": "from beyond 512 KiB",
@@ -100,12 +101,13 @@ def bounds(result):
         ours = rates_of_case.get(name, {}).get("rate", {}).get("median")
         if "instructions" not in row:
             continue
-        shares = ["-", "-"]
+        shares = ["-", "-", "-"]
         if ours:
             shares = [f"{100 * ours * row['operations'] / limits[f'operations_{kind}_per_second']:.0f} %"]
+            shares += [f"{100 * ours * row['quotients_and_roots'] / limits[f'quotients_{kind}_per_second']:.0f} %"]
             shares += [f"{100 * ours * row['bytes_beyond_first_cache'] / limits['cached_stream_bytes_per_second']:.0f} %"]
         lines.append([NAMES[row["scene"]], f"{row['bond_number']:g}", row["precision"], *(f"{row[key]:.0f}" for key in COUNTS), *shares])
-    return table(["per particle-step", "Bo", "precision", *COUNTS.values(), "of peak operations", "of the stream from L2"], lines)
+    return table(["per particle-step", "Bo", "precision", *COUNTS.values(), "of peak operations", "of peak quotients", "of the stream from L2"], lines)
 
 
 def skipped(result):
