@@ -42,9 +42,9 @@ def build(cores):
     return FOLDER / "bench/step-rate"
 
 
-def fingerprint(program):
-    """Changes whenever the program does."""
-    return hashlib.sha256(program.read_bytes()).hexdigest()[:16]
+def fingerprint(file):
+    """Changes whenever the file does: the program, or how it is counted."""
+    return hashlib.sha256(file.read_bytes()).hexdigest()[:16]
 
 
 def operations(mnemonic, operands):
@@ -125,7 +125,7 @@ def per_particle_step(totals, counts, code, program, work):
 def rows_of(program, plan, bonds, precisions, files, once=lambda key, make: make()):
     """Counts of the scenes of a plan at Bond numbers, several at a time; `precisions`: settings of each by name;
     `once(key, make)` makes a record, or knows it already."""
-    same = f"{fingerprint(program)} {plan['warm']} {plan['steps']}"
+    same = f"{fingerprint(program)} {fingerprint(Path(__file__))} {plan['warm']} {plan['steps']}"
     cases = [(scene, bond, name) for scene in plan["scenes"] for bond in bonds for name in precisions]
 
     def row(case):
