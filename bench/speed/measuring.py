@@ -2,6 +2,7 @@
 
 import os
 import resource
+import signal
 import subprocess
 import time
 from dataclasses import dataclass
@@ -37,13 +38,29 @@ def own_seconds():
 
 
 def run(command, timeout=None, **options):
-    """Runs `command` to its end; it is ended after `timeout` seconds, with code 124."""
+    """Runs `command` to its end. After `timeout` seconds it and what it has started are ended, with code 124; code 127
+    where there is no such program."""
     busy, own, start = busy_seconds(), own_seconds(), time.monotonic()
-    try:
-        done = subprocess.run(list(map(str, command)), capture_output=True, text=True, errors="replace", check=False, timeout=timeout, **options)
-        code, output, errors = done.returncode, done.stdout, done.stderr
-    except subprocess.TimeoutExpired:
-        code, output, errors = 124, "", f"not done after {timeout} s"
+    code, output, errors = finish(list(map(str, command)), timeout, options)
     wall, processor = time.monotonic() - start, own_seconds() - own
     others = max(0.0, busy_seconds() - busy - processor) / max(wall, 1e-9)
     return Finished(code, output, errors, wall, processor, others)
+
+
+def finish(command, timeout, options):
+    """Exit code, standard output and standard error."""
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True, "errors": "replace", "start_new_session": True}
+    try:
+        process = subprocess.Popen(command, **pipes, **options)
+    except FileNotFoundError as error:
+        return 127, "", str(error)
+    with process:
+        try:
+            output, errors = process.communicate(timeout=timeout)
+        except BaseException as error:
+            os.killpg(process.pid, signal.SIGKILL)
+            if not isinstance(error, subprocess.TimeoutExpired):
+                raise
+            process.wait()
+            return 124, "", f"not done after {timeout} s"
+    return process.returncode, output, errors

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+import time
 
 import pytest
 
@@ -68,8 +69,17 @@ def test_processor_time_of_a_command_is_its_own(speed):
     assert done.code == 0 and 0.3 <= done.processor < 0.6
 
 
-def test_what_takes_too_long_is_ended(speed):
-    assert speed("measuring").run(["sleep", "5"], timeout=0.1).code == 124
+def test_what_takes_too_long_is_ended_with_its_children(speed, tmp_path):
+    late = tmp_path / "late"
+    done = speed("measuring").run(["sh", "-c", f"(sleep 1; touch {late}) & wait"], timeout=0.2)
+    assert done.code == 124 and done.wall < 1
+    time.sleep(1.2)
+    assert not late.exists()
+
+
+def test_a_program_that_is_missing_is_told(speed):
+    done = speed("measuring").run(["no-such-program"])
+    assert done.code == 127 and "no-such-program" in done.errors
 
 
 def test_against_writes_ratios(root, build, tmp_path):
