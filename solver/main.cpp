@@ -31,7 +31,10 @@ struct Arguments {
 const EngineFactory real_engine{make_engine, restore_engine};
 
 Resources resources_of(const Arguments& arguments) {
-    return choose_resources(arguments.resources, arguments.resources.backend == "cpu" ? Devices{} : cuda_devices());
+    const ResourceChoice choice = choose_resources(
+        arguments.resources, arguments.resources.backend == "cpu" ? Devices{} : cuda_devices(), try_device);
+    if (!choice.notice.empty()) std::fprintf(stderr, "recoat-solve: note: %s\n", choice.notice.c_str());
+    return choice.resources;
 }
 
 RunOptions run_options(const Arguments& arguments, const std::string& folder) {

@@ -8,26 +8,29 @@
 namespace recoat {
 namespace {
 
-bool usable(const Devices& devices, int number) {
-    try {
-        require_device(devices, number);
-        return true;
-    } catch (const InputError&) {
-        return false;
-    }
+void require_working(const Devices& devices, int number, const DeviceTrial& trial) {
+    require_device(devices, number);
+    const std::string problem = trial(number);
+    if (!problem.empty()) throw InputError(problem + "; use another device, or --backend cpu");
 }
 
 }  // namespace
 
-Resources choose_resources(const ResourceRequest& request, const Devices& devices) {
-    Resources resources;
-    resources.device = request.device;
-    resources.threads =
+ResourceChoice choose_resources(const ResourceRequest& request, const Devices& devices, const DeviceTrial& trial) {
+    ResourceChoice choice;
+    choice.resources.device = request.device;
+    choice.resources.threads =
         request.threads > 0 ? request.threads : static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-    if (request.backend == "cuda") require_device(devices, request.device);
-    const bool cuda = request.backend == "cuda" || (request.backend == "auto" && usable(devices, request.device));
-    resources.backend = cuda ? Backend::cuda : Backend::cpu;
-    return resources;
+    if (request.backend == "cpu") return choice;
+    try {
+        require_working(devices, request.device, trial);
+        choice.resources.backend = Backend::cuda;
+    } catch (const InputError& error) {
+        if (request.backend == "cuda") throw;
+        if (!devices.found.empty() || devices.out_of_reach)
+            choice.notice = std::string(error.what()) + " (computing on the processor now)";
+    }
+    return choice;
 }
 
 }  // namespace recoat

@@ -14,7 +14,13 @@ struct ResourceRequest {
     int threads = 0;  ///< 0: all
 };
 
-/// `auto` takes the CUDA device where one can be used. Throws InputError when the backend asked for is not there.
-Resources choose_resources(const ResourceRequest& request, const Devices& devices);
+struct ResourceChoice {
+    Resources resources;
+    std::string notice;  ///< a sentence for the user, where it is not what they may expect; else empty
+};
+
+/// `auto` takes the CUDA device where one can be used, or else says why not, unless the machine has none. Throws
+/// InputError when the backend asked for is not there.
+ResourceChoice choose_resources(const ResourceRequest& request, const Devices& devices, const DeviceTrial& trial);
 
 }  // namespace recoat

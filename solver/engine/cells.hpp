@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "solver/engine/row.hpp"
+#include "solver/execution/reductions.hpp"
 
 namespace recoat {
 
@@ -60,21 +61,34 @@ inline Cells make_cells(Extent extent, double side, double y_min, double y_perio
     return cells;
 }
 
+/// A coordinate of the centres, or as the fourth the radius, with a sign [m].
+struct SignedCoordinate {
+    const Row* position;
+    int axis;
+    double sign;
+
+    RECOAT_HD double operator()(std::size_t i) const {
+        const Row& p = position[i];
+        return sign * (axis == 0 ? p.x : axis == 1 ? p.y : axis == 2 ? p.z : p.w);
+    }
+};
+
 /// Bounds of the centres, and the largest radius.
 template <class Space>
 Extent extent_of(Space& space, const Row* position, std::size_t n) {
+    using Largest = MaximumOf<SignedCoordinate>;
     Extent extent;
     extent.particles = n;
     if (n == 0) return extent;
-    for (int a = 0; a < 3; ++a) {
-        const auto at = [=] RECOAT_LAMBDA(std::size_t i) {
-            const Row& p = position[i];
-            return a == 0 ? p.x : a == 1 ? p.y : p.z;
-        };
-        extent.upper[a] = space.maximum(n, at);
-        extent.lower[a] = -space.maximum(n, [=] RECOAT_LAMBDA(std::size_t i) { return -at(i); });
+    const auto found =
+        space.reduce(Largest{n, {position, 0, 1}}, Largest{n, {position, 1, 1}}, Largest{n, {position, 2, 1}},
+                     Largest{n, {position, 0, -1}}, Largest{n, {position, 1, -1}}, Largest{n, {position, 2, -1}},
+                     Largest{n, {position, 3, 1}});
+    for (std::size_t a = 0; a < 3; ++a) {
+        extent.upper[a] = found[a];
+        extent.lower[a] = -found[3 + a];
     }
-    extent.largest_radius = space.maximum(n, [=] RECOAT_LAMBDA(std::size_t i) { return position[i].w; });
+    extent.largest_radius = found[6];
     return extent;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "solver/engine/contacts.hpp"
+#include "solver/execution/reductions.hpp"
 
 namespace recoat {
 
@@ -12,10 +13,12 @@ struct Totals {
     template <class Space>
     void add(Space& space, const ContactArrays<Space>& contacts,
              const typename Space::template Array<double>& rolling) {
-        lost_normal += sum(space, contacts.lost_normal);
-        lost_tangential += sum(space, contacts.lost_tangential);
-        wall_work += sum(space, contacts.wall_work);
-        lost_rolling += sum(space, rolling);
+        const auto sums = space.reduce(sum_of_entries(contacts.lost_normal), sum_of_entries(contacts.lost_tangential),
+                                       sum_of_entries(contacts.wall_work), sum_of_entries(rolling));
+        lost_normal += sums[0];
+        lost_tangential += sums[1];
+        wall_work += sums[2];
+        lost_rolling += sums[3];
     }
 
     /// Adds a share of other energies.
@@ -25,12 +28,6 @@ struct Totals {
         lost_rolling += share * other.lost_rolling;
         wall_work += share * other.wall_work;
         removed_with_walls += share * other.removed_with_walls;
-    }
-
-    template <class Space, class Array>
-    static double sum(Space& space, const Array& array) {
-        const double* value = array.data();
-        return space.sum(array.size(), [=] RECOAT_LAMBDA(std::size_t k) { return value[k]; });
     }
 };
 

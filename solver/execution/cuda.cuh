@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include <cub/device/device_radix_sort.cuh>
@@ -8,6 +9,8 @@
 
 #include "solver/execution/cuda_graphs.cuh"
 #include "solver/execution/cuda_kernels.cuh"
+#include "solver/execution/cuda_reductions.cuh"
+#include "solver/execution/pinned_array.cuh"
 #include "solver/execution/resources.hpp"
 
 namespace recoat {
@@ -21,11 +24,9 @@ public:
     using Array = DeviceArray<T>;
 
     explicit Cuda(const Resources& resources) : device_(resources.device) {
-        check_cuda(cudaSetDevice(device_), "choosing the device");
+        use();
         check_cuda(cudaStreamCreateWithFlags(&stream_, cudaStreamNonBlocking), "making a stream");
-        ticket_.resize(1);
-        fill(ticket_, 1, 0U);
-        partial_.resize(maximum_blocks);
+        fill(ticket_, 1 + most_reductions, 0U);
     }
     Cuda(const Cuda&) = delete;
     Cuda& operator=(const Cuda&) = delete;
@@ -41,8 +42,8 @@ public:
     void copy(const std::vector<T>& from, DeviceArray<T>& to) {
         use();
         to.resize(from.size());
+        // The driver has taken what the host handed over when the call returns: that is how pageable memory is copied.
         move(to.data(), from.data(), from.size() * sizeof(T), cudaMemcpyHostToDevice);
-        wait();
     }
     template <class T>
     void copy(const DeviceArray<T>& from, std::vector<T>& to) {
@@ -64,35 +65,31 @@ public:
         launch(kernels::each<Function>, n, f, n);
     }
 
+    /// All of them in one kernel, and one wait.
+    template <class... Reductions>
+    std::array<double, sizeof...(Reductions)> reduce(const Reductions&... reductions) {
+        constexpr std::size_t count = sizeof...(Reductions);
+        static_assert(count > 0 && count <= most_reductions);
+        use();
+        const std::size_t threads = std::max({kernels::useful_threads(reductions)...});
+        const unsigned blocks = std::min(maximum_blocks, block_count(threads, kernels::block_size));
+        partial_.resize((kernels::partial_size(reductions, blocks) + ...));
+        launch_grid(kernels::reduce<Reductions...>, dim3(blocks, count),
+                    reduction_parts(blocks, 0, partial_.data(), reductions...));
+        wait();
+        std::array<double, count> results;
+        std::copy_n(results_.data(), count, results.begin());
+        return results;
+    }
+
     template <class Function>
     double maximum(std::size_t n, const Function& f) {
-        use();
-        std::vector<double> of_block(std::min<std::size_t>(maximum_blocks, block_count(n, kernels::block_size)));
-        launch(kernels::maximum<Function>, of_block.size() * kernels::block_size, f, n, partial_.data());
-        move(of_block.data(), partial_.data(), of_block.size() * sizeof(double), cudaMemcpyDeviceToHost);
-        wait();
-        return *std::max_element(of_block.begin(), of_block.end());
+        return reduce(MaximumOf{n, f})[0];
     }
 
     template <class Function>
     double sum(std::size_t n, const Function& f) {
-        use();
-        if (n == 0) return 0;
-        std::size_t blocks = OrderedSum::blocks(n);
-        sums_.resize(blocks);
-        other_sums_.resize(blocks);
-        launch(kernels::sum<Function>, blocks * kernels::warp_size, f, n, sums_.data());
-        while (blocks > 1) {
-            const kernels::Entries entries{sums_.data()};
-            const std::size_t fewer = OrderedSum::blocks(blocks);
-            launch(kernels::sum<kernels::Entries>, fewer * kernels::warp_size, entries, blocks, other_sums_.data());
-            std::swap(sums_, other_sums_);
-            blocks = fewer;
-        }
-        double total = 0;
-        move(&total, sums_.data(), sizeof total, cudaMemcpyDeviceToHost);
-        wait();
-        return total;
+        return reduce(SumOf{n, f})[0];
     }
 
     void exclusive_scan(DeviceArray<std::int32_t>& counts) {
@@ -177,12 +174,26 @@ public:
     }
 
 private:
-    static constexpr std::size_t maximum_blocks = 512;
+    static constexpr std::size_t most_reductions = 8;  ///< of one call
+    static constexpr unsigned maximum_blocks = 1024;   ///< of a reduction: as many as a device runs at the same time
+
+    static kernels::ReductionParts<> reduction_parts(unsigned, std::size_t, double*) { return {}; }
+    template <class First, class... Rest>
+    kernels::ReductionParts<First, Rest...> reduction_parts(unsigned blocks, std::size_t number, double* partial,
+                                                            const First& first, const Rest&... rest) {
+        return {{first, partial, results_.data() + number, ticket_.data() + 1 + number},
+                reduction_parts(blocks, number + 1, partial + kernels::partial_size(first, blocks), rest...)};
+    }
 
     template <class... Parameters, class... Arguments>
     void launch(void (*kernel)(Parameters...), std::size_t threads, const Arguments&... arguments) {
+        launch_grid(kernel, dim3(block_count(threads, kernels::block_size)), arguments...);
+    }
+
+    template <class... Parameters, class... Arguments>
+    void launch_grid(void (*kernel)(Parameters...), dim3 grid, const Arguments&... arguments) {
         cudaLaunchConfig_t config{};
-        config.gridDim = dim3(block_count(threads, kernels::block_size));
+        config.gridDim = grid;
         config.blockDim = dim3(kernels::block_size);
         config.stream = stream_;
         check_cuda(cudaLaunchKernelEx(&config, kernel, arguments...), "starting a loop");
@@ -208,15 +219,21 @@ private:
         for_each(n, kernels::Count{numbers_.data()});
     }
 
-    void use() const { check_cuda(cudaSetDevice(device_), "choosing the device"); }
+    /// Every function begins with it: threads, and spaces on one thread, take turns.
+    void use() const {
+        check_cuda(cudaSetDevice(device_), "choosing the device");
+        current_allocations() = allocations_;
+    }
     void wait() const { check_cuda(cudaStreamSynchronize(stream_), "waiting for the device"); }
 
     int device_;
     cudaStream_t stream_ = nullptr;
-    CudaGraphs graphs_;
+    Allocations allocations_ = std::make_shared<std::uint64_t>(0);
+    CudaGraphs graphs_{allocations_};
     bool loaded_ = false;
-    DeviceArray<unsigned> ticket_;
-    DeviceArray<double> partial_, sums_, other_sums_;
+    DeviceArray<unsigned> ticket_;  ///< of the last loop of a step, and of reductions
+    DeviceArray<double> partial_;
+    PinnedArray<double> results_{most_reductions};
     DeviceArray<std::uint64_t> sorted_wide_;
     DeviceArray<std::uint32_t> keys_, sorted_;
     DeviceArray<std::int32_t> numbers_;

@@ -2,15 +2,16 @@
 
 #include <cstdint>
 #include <map>
+#include <utility>
 
 #include "solver/execution/device_array.cuh"
 
 namespace recoat {
 
-/// Captured graphs of some steps each, good as long as no device memory has moved.
+/// Captured graphs of some steps each, good as long as no memory of their space has moved.
 class CudaGraphs {
 public:
-    CudaGraphs() = default;
+    explicit CudaGraphs(Allocations allocations) : allocations_(std::move(allocations)) {}
     CudaGraphs(const CudaGraphs&) = delete;
     CudaGraphs& operator=(const CudaGraphs&) = delete;
     ~CudaGraphs() { clear(); }
@@ -18,8 +19,8 @@ public:
     /// The graph of `steps` calls of `body`, which launches kernels on `stream` and does nothing else there.
     template <class Body>
     cudaGraphExec_t of(std::int64_t steps, cudaStream_t stream, const Body& body) {
-        if (made_at_ != device_allocations()) clear();
-        made_at_ = device_allocations();
+        if (made_at_ != *allocations_) clear();
+        made_at_ = *allocations_;
         cudaGraphExec_t& graph = graphs_[steps];
         if (graph == nullptr) graph = capture(steps, stream, body);
         return graph;
@@ -51,6 +52,7 @@ private:
         graphs_.clear();
     }
 
+    Allocations allocations_;
     std::map<std::int64_t, cudaGraphExec_t> graphs_;
     std::uint64_t made_at_ = 0;
 };

@@ -4,8 +4,6 @@
 #include <cstdint>
 #include <limits>
 
-#include "solver/execution/ordered_sum.hpp"
-
 namespace recoat::kernels {
 
 inline constexpr unsigned block_size = 128;
@@ -17,9 +15,10 @@ __device__ inline std::size_t thread_number() {
     return static_cast<std::size_t>(blockIdx.x) * blockDim.x + threadIdx.x;
 }
 
-/// Largest value of a block, in its first thread.
+/// Largest value of a block, in its first thread; not-a-number counts for nothing, as on the host.
 __device__ inline double block_maximum(double value) {
     __shared__ double of_warp[block_size / warp_size];
+    if (value != value) value = -std::numeric_limits<double>::infinity();
     for (unsigned half = warp_size / 2; half > 0; half /= 2) {
         const double other = __shfl_down_sync(0xffffffffU, value, half);
         value = other > value ? other : value;
@@ -51,34 +50,7 @@ __global__ void __launch_bounds__(block_size) fill(T* array, std::size_t n, T va
     if (k < n) array[k] = value;
 }
 
-/// Largest f(k) of each block, which takes every gridDim-th block of numbers.
-template <class Function>
-__global__ void __launch_bounds__(block_size) maximum(Function f, std::size_t n, double* of_block) {
-    double peak = -std::numeric_limits<double>::infinity();
-    for (std::size_t k = thread_number(); k < n; k += static_cast<std::size_t>(gridDim.x) * blockDim.x) {
-        const double value = f(k);
-        peak = value > peak ? value : peak;
-    }
-    peak = block_maximum(peak);
-    if (threadIdx.x == 0) of_block[blockIdx.x] = peak;
-}
-
-/// Sums of the blocks of OrderedSum, one warp each.
-template <class Function>
-__global__ void __launch_bounds__(block_size) sum(Function f, std::size_t n, double* of_block) {
-    static_assert(OrderedSum::lanes == warp_size);
-    const std::size_t block = thread_number() / warp_size, lane = thread_number() % warp_size;
-    if (block >= OrderedSum::blocks(n)) return;
-    double value = OrderedSum::lane(f, block, lane, n);
-    for (unsigned half = warp_size / 2; half > 0; half /= 2) value += __shfl_down_sync(0xffffffffU, value, half);
-    if (lane == 0) of_block[block] = value;
-}
-
-/// Loop bodies of the sorting and summing themselves.
-struct Entries {
-    const double* value;
-    __device__ double operator()(std::size_t k) const { return value[k]; }
-};
+/// Loop bodies of the sorting itself.
 template <class Bucket>
 struct Keys {
     Bucket bucket;

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <utility>
 
 #include "solver/execution/cuda_error.cuh"
@@ -10,13 +10,18 @@
 
 namespace recoat {
 
-/// Counts allocations of device memory: what was captured with the addresses before one must be captured again.
-inline std::atomic<std::uint64_t>& device_allocations() {
-    static std::atomic<std::uint64_t> count{0};
+/// Counts how often the arrays of one space have taken memory: what was captured with the addresses before one must be
+/// captured again. Arrays and their space share it, and one thread at a time uses them.
+using Allocations = std::shared_ptr<std::uint64_t>;
+
+/// The count of the space that this thread used last.
+inline Allocations& current_allocations() {
+    static thread_local Allocations count = std::make_shared<std::uint64_t>(0);
     return count;
 }
 
-/// Memory of the current device. It grows and never shrinks; what it held is lost when it grows.
+/// Memory of the current device. It grows and never shrinks; what it held is lost when it grows. It belongs to the
+/// space that was in use when it first took some.
 template <class T>
 class DeviceArray {
 public:
@@ -36,7 +41,8 @@ public:
             const std::size_t wanted = grown_capacity(n);
             check_cuda(cudaMalloc(&data_, wanted * sizeof(T)), "taking memory");
             capacity_ = wanted;
-            ++device_allocations();
+            if (!allocations_) allocations_ = current_allocations();
+            ++*allocations_;
         }
         size_ = n;
     }
@@ -52,10 +58,12 @@ private:
         std::swap(data_, other.data_);
         std::swap(size_, other.size_);
         std::swap(capacity_, other.capacity_);
+        std::swap(allocations_, other.allocations_);
     }
 
     T* data_ = nullptr;
     std::size_t size_ = 0, capacity_ = 0;
+    Allocations allocations_;
 };
 
 }  // namespace recoat

@@ -14,6 +14,9 @@ void require_device(const Devices& devices, int number) {
         throw InputError(fmt::format("there is no CUDA device {}: this machine has {}, {}", number, count,
                                      count == 1 ? "number 0" : fmt::format("numbers 0 to {}", count - 1)));
     const Device& device = devices.found[static_cast<std::size_t>(number)];
+    if (!device.problem.empty())
+        throw InputError(fmt::format("CUDA device {} cannot be used: {}; use another device, or --backend cpu", number,
+                                     device.problem));
     if (device.major < 8)
         throw InputError(
             fmt::format("CUDA device {} ({}) has compute capability {}.{}, but 8.0 is needed; use another "

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,6 +11,7 @@
 
 #include "common/one_copy.hpp"
 #include "solver/execution/ordered_sum.hpp"
+#include "solver/execution/reductions.hpp"
 #include "solver/execution/resources.hpp"
 
 namespace recoat {
@@ -61,6 +63,12 @@ public:
         std::vector<double> sums = block_sums(n, f);
         while (sums.size() > 1) sums = block_sums(sums.size(), [&](std::size_t b) { return sums[b]; });
         return sums.empty() ? 0 : sums.front();
+    }
+
+    /// Sums and maxima, each as it would be alone.
+    template <class... Reductions>
+    std::array<double, sizeof...(Reductions)> reduce(const Reductions&... reductions) {
+        return {value_of(reductions)...};
     }
 
     /// Every entry becomes the sum of those before it.
@@ -132,6 +140,15 @@ public:
     }
 
 private:
+    template <class Function>
+    double value_of(const SumOf<Function>& reduction) {
+        return sum(reduction.n, reduction.f);
+    }
+    template <class Function>
+    double value_of(const MaximumOf<Function>& reduction) {
+        return maximum(reduction.n, reduction.f);
+    }
+
     static constexpr std::size_t block_size = 512;
     static constexpr std::size_t least_blocks = 6;  ///< fewer are done before a second thread has woken up
 

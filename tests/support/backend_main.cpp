@@ -14,6 +14,9 @@ int main(int argc, char** argv) {
             std::printf("[  SKIPPED ] all tests: no CUDA device, %s\n", devices.problem.c_str());
             return 77;
         }
+        const int number = recoat::testing::test_device();
+        recoat::require_device(devices, number);
+        std::printf("[ DEVICE   ] %d, %s\n", number, devices.found[static_cast<std::size_t>(number)].name.c_str());
     }
     return RUN_ALL_TESTS();
 }

@@ -16,7 +16,7 @@ constexpr double bound = 1e-10;
 #endif
 
 std::unique_ptr<Engine> engine_on(Backend backend, EngineScene scene) {
-    scene.setup.resources = {backend, 2, 0};
+    scene.setup.resources = {backend, 2, test_device()};
     return scene.engine();
 }
 

@@ -1,0 +1,57 @@
+#include <thread>
+
+#include <gtest/gtest.h>
+
+#include "tests/solver/engine/engine_scenes.hpp"
+
+// Compiled with the host as the device (tests/support/device_on_host), which runs blocks of a kernel, and streams, at
+// the same time: with the thread sanitizer what follows shows whether any of them get in each other's way.
+
+namespace recoat {
+namespace {
+
+using namespace testing;
+
+/// Enough particles that every loop of a step has many blocks.
+EngineScene many_blocks(double bond, RollingForm rolling, double spread) {
+    EngineScene scene = busy_box({bond, rolling, spread, 1300});
+    scene.setup.resources = {Backend::cuda, 1, 0};
+    return scene;
+}
+
+const std::vector<EngineScene>& scenes() {
+    static const std::vector<EngineScene> all = {many_blocks(0, RollingForm::own, 1),
+                                                 many_blocks(50, RollingForm::relative, 1),
+                                                 many_blocks(50, RollingForm::own, 0.97)};
+    return all;
+}
+
+constexpr std::int64_t steps = 45;  // about three times the life of a close list
+
+std::vector<std::uint64_t> bits_after(const EngineScene& scene) {
+    const auto engine = scene.engine();
+    engine->advance(steps);
+    return bits_of(*engine);
+}
+
+TEST(DeviceSharing, TheSceneHasManyBlocksAndItsListsChange) {
+    const auto engine = scenes().back().engine();
+    const std::size_t before = engine->contacts().size();
+    engine->advance(steps);
+    EXPECT_GT(engine->contacts().size(), 128u * 8u);
+    EXPECT_NE(engine->contacts().size(), before);
+}
+
+// Cases of a sweep, each with a thread and a stream of its own: none changes a bit of another.
+TEST(DeviceSharing, CasesOfASweepGetWhatTheyGetAlone) {
+    std::vector<std::vector<std::uint64_t>> alone, together(scenes().size());
+    for (const EngineScene& scene : scenes()) alone.push_back(bits_after(scene));
+    std::vector<std::jthread> cases;
+    for (std::size_t k = 0; k < scenes().size(); ++k)
+        cases.emplace_back([&, k] { together[k] = bits_after(scenes()[k]); });
+    cases.clear();  // waits for them
+    for (std::size_t k = 0; k < scenes().size(); ++k) EXPECT_TRUE(alone[k] == together[k]) << k;
+}
+
+}  // namespace
+}  // namespace recoat
