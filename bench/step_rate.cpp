@@ -1,9 +1,11 @@
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <map>
 #include <memory>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -12,6 +14,7 @@
 #include <time.h>
 
 #include "common/error.hpp"
+#include "common/fingerprint.hpp"
 #include "common/number.hpp"
 #include "solver/engine/engine.hpp"
 #include "solver/scene/initial_particles.hpp"
@@ -56,6 +59,28 @@ ParticleTable tiled(const ParticleTable& bed, std::int64_t tiles, double width) 
     return table;
 }
 
+/// Gives every particle a velocity of its own, of `speed` [m/s] in a direction that depends on its number only, and a
+/// shear along y with that speed at the top.
+void set_in_motion(ParticleTable& table, double speed) {
+    double top = 0;
+    for (const Vec3& x : table.position) top = std::max(top, x.z);
+    std::mt19937_64 random(1);
+    const auto one = [&] { return 2 * static_cast<double>(random() >> 11) / 9007199254740992.0 - 1; };
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        Vec3 way = {one(), one(), one()};
+        while (squared_norm(way) > 1 || squared_norm(way) < 0.01) way = {one(), one(), one()};
+        table.velocity[i] += speed * ((1 / norm(way)) * way + Vec3{0, table.position[i].z / top, 0});
+    }
+}
+
+/// Of all bits of positions, velocities and spins, in order of identity.
+std::uint64_t state_hash(const ParticleTable& table) {
+    Fingerprint hash;
+    for (const auto* rows : {&table.position, &table.velocity, &table.angular_velocity})
+        hash.add(reinterpret_cast<const char*>(rows->data()), rows->size() * sizeof(Vec3));
+    return hash.value();
+}
+
 double coordination_number(const Engine& engine, std::size_t particles) {
     double touching = 0;
     for (const ContactState& contact : engine.contacts())
@@ -82,7 +107,7 @@ Seconds now() {
 struct Options {
     std::string path, scene = "config/scene.yaml";
     std::vector<std::string> settings;
-    double bond = 0, length = 1e-3, width = 1e-3;
+    double bond = 0, length = 1e-3, width = 1e-3, moving = 0;
     std::int64_t warm = 500, steps = 2000, tiles = 1;
     Resources resources;
 };
@@ -97,6 +122,7 @@ void add_options(CLI::App& app, Options& o) {
     app.add_option("--width", o.width, "period of the bed in y [m]");
     app.add_option("--scene", o.scene, "scene file: the model and the step are taken from it");
     app.add_option("--set", o.settings, "a.b=v: overrides");
+    app.add_option("--moving", o.moving, "speed at random and of a shear [m/s]: lists change as in a moving heap");
     app.add_option("--warm", o.warm, "steps before the clock starts");
     app.add_option("--steps", o.steps, "steps timed");
     app.add_option("--tiles", o.tiles, "beds side by side along y")->needs("bed");
@@ -135,7 +161,8 @@ Start start_of(const Options& o) {
 }
 
 void measure(const Options& o) {
-    const Start start = start_of(o);
+    Start start = start_of(o);
+    if (o.moving > 0) set_in_motion(start.particles, o.moving);
     const std::size_t particles = start.particles.size();
     const auto engine = make_engine(start.setup, start.particles, start.walls);
     engine->advance(o.warm);
@@ -148,11 +175,12 @@ void measure(const Options& o) {
     std::printf(
         "{\"particles\": %zu, \"bond_number\": %g, \"backend\": \"%s\", \"threads\": %d, \"steps\": %lld, "
         "\"time_step\": %g, \"seconds\": %.4f, \"processor_seconds\": %.4f, \"particle_steps_per_second\": %.4g, "
-        "\"coordination_number\": %s, \"kinetic_energy\": %.4g}\n",
+        "\"coordination_number\": %s, \"kinetic_energy\": %.4g, \"moving\": %g, \"state_hash\": \"%016llx\"}\n",
         particles, o.bond, name_of(o.resources.backend).c_str(), o.resources.threads, static_cast<long long>(o.steps),
         start.setup.time_step, wall, after.processor - before.processor,
         static_cast<double>(particles) * static_cast<double>(o.steps) / wall,
-        (std::isnan(coordination) ? "null" : std::to_string(coordination)).c_str(), engine->kinetic_energy());
+        (std::isnan(coordination) ? "null" : std::to_string(coordination)).c_str(), engine->kinetic_energy(), o.moving,
+        static_cast<unsigned long long>(state_hash(engine->particles())));
 }
 
 }  // namespace

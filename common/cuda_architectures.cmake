@@ -1,0 +1,20 @@
+# Sets `variable` to what a program for this machine is compiled for: code of its CUDA devices, because the driver takes
+# tens of seconds to make some of PTX at the first start, and 8.0 with PTX for all other devices.
+function(architectures_of_this_machine variable)
+    set(architectures 80)
+    execute_process(COMMAND nvidia-smi --query-gpu=compute_cap --format=csv,noheader
+                    OUTPUT_VARIABLE capabilities RESULT_VARIABLE no_driver ERROR_QUIET)
+    execute_process(COMMAND ${CMAKE_CUDA_COMPILER} --list-gpu-code OUTPUT_VARIABLE known RESULT_VARIABLE no_list ERROR_QUIET)
+    if(no_driver EQUAL 0 AND no_list EQUAL 0)
+        string(REGEX MATCHALL "[0-9]+\\.[0-9]+" capabilities "${capabilities}")
+        string(REGEX MATCHALL "[^\r\n]+" known "${known}")
+        foreach(capability ${capabilities})
+            string(REPLACE "." "" number ${capability})
+            if(number GREATER 80 AND "sm_${number}" IN_LIST known)
+                list(APPEND architectures ${number}-real)
+            endif()
+        endforeach()
+        list(REMOVE_DUPLICATES architectures)
+    endif()
+    set(${variable} ${architectures} PARENT_SCOPE)
+endfunction()
