@@ -1,6 +1,6 @@
 """Instructions, floating-point operations and bytes of one particle-step, counted by callgrind on an AVX2 build.
 
-Callgrind knows no AVX-512, so a build of its own for AVX2 is counted, the same wherever it is made: build/counted.
+Callgrind knows no AVX-512, so a build of its own for AVX2 is counted, the same wherever it is made, in build/counted.
 An operation on a vector counts once for each of its lanes, a fused multiply-add twice; comparisons and moves do not.
 Bytes requested are the operands of loads and stores. Bytes from beyond the second-level cache are 64 for each miss of
 a simulated cache of 512 KiB behind 32 KiB; what goes back to memory is not in them.
@@ -19,7 +19,6 @@ from measuring import run
 from recoat import with_set
 from scenes import ROOT
 
-FOLDER = ROOT / "build/counted"
 LINE = 64
 CACHES = ("--I1=32768,8,64", "--D1=32768,8,64", "--LL=524288,8,64")
 COUNTED_FUNCTION = "*timed_steps*"
@@ -30,16 +29,17 @@ OPERANDS = {"ZMMWORD": 64, "YMMWORD": 32, "XMMWORD": 16, "QWORD": 8, "DWORD": 4,
 INSTRUCTION = re.compile(r"^\s*([0-9a-f]+):\s+(?:\{\w+\}\s+)?([a-z0-9]+)\s*(.*)$")
 
 
-def build(cores):
-    """Builds step-rate for AVX2 unless it is there; returns the program."""
-    configure = ["cmake", "-S", ROOT, "-B", FOLDER, "-G", "Ninja", "--log-level=WARNING", "-DCMAKE_BUILD_TYPE=Release"]
+def build(cores, source=ROOT):
+    """Builds step-rate for AVX2 from the sources in a folder; returns the program."""
+    folder = source / "build/counted"
+    configure = ["cmake", "-S", source, "-B", folder, "-G", "Ninja", "--log-level=WARNING", "-DCMAKE_BUILD_TYPE=Release"]
     options = ["-DRECOAT_NATIVE=OFF", "-DRECOAT_TESTS=OFF", "-DRECOAT_CUDA=OFF", "-DCMAKE_CXX_FLAGS=-march=x86-64-v3"]
-    make = ["cmake", "--build", FOLDER, "--parallel", cores, "--target", "step-rate"]
+    make = ["cmake", "--build", folder, "--parallel", cores, "--target", "step-rate"]
     for command in ([*configure, *options], make):
-        done = run(command, cwd=ROOT)
+        done = run(command, cwd=source)
         if done.code != 0:
             raise SystemExit(f"{' '.join(map(str, command))} failed:\n{(done.output + done.errors)[-2000:]}")
-    return FOLDER / "bench/step-rate"
+    return folder / "bench/step-rate"
 
 
 def fingerprint(file):

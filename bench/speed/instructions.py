@@ -1,6 +1,6 @@
 """Counts instructions, operations and bytes per particle-step of today's sources and adds them to those of former commits.
 
-usage: bench/speed/instructions.py [--scenes bed heap layer] [--bonds 0 50 400] [--out FILE]
+usage: bench/speed/instructions.py [--commit COMMIT] [--scenes bed heap layer] [--bonds 0 50 400] [--out FILE]
 Counts do not depend on how busy the machine is: a minute of processor time for each scene and Bond number.
 """
 
@@ -11,7 +11,8 @@ from pathlib import Path
 
 import counts
 import yaml
-from machine import ROOT, header
+from commits import built
+from machine import ROOT, commit, header
 from recoat import Build
 from scenes import prepare
 
@@ -29,25 +30,35 @@ def compared(row, former):
     return f"{row['scene']:<10} Bo {row['bond_number']:<5g} {row['precision']:<6} {', '.join(parts)}"
 
 
+def sources(revision, build):
+    """Folder of the sources to count, the build whose recoat-solve tells what they know, and the name of the commit."""
+    if not revision:
+        return ROOT, Build("today", build), commit()
+    folder = built(revision, os.cpu_count())
+    return folder.parents[1], Build(revision, folder), commit(revision)
+
+
 def main():
     parser = argparse.ArgumentParser(description="Counts of a particle-step")
-    parser.add_argument("--build", default=os.environ.get("RECOAT_BUILD", ROOT / "build/release"), help="whose recoat-solve knows the settings")
+    parser.add_argument("--commit", help="a former commit, instead of today's sources")
+    parser.add_argument("--build", default=os.environ.get("RECOAT_BUILD", ROOT / "build/release"), help="of today")
     parser.add_argument("--scenes", nargs="+", default=PLAN["counts"]["scenes"])
     parser.add_argument("--bonds", nargs="+", type=float, default=PLAN["bond_numbers"])
     parser.add_argument("--out", type=Path, default=ROOT / "bench/results/instructions.json")
     options = parser.parse_args()
+    source, build, name = sources(options.commit, options.build)
+    files = prepare(ROOT / "build/bench-scenes", options.scenes)
     history = json.loads(options.out.read_text()) if options.out.exists() else []
-    entry = header("bench/speed/instructions.py") | {"rows": []}
-    others = [other for other in history if other["commit"] != entry["commit"]]
+    others = [other for other in history if other["commit"] != name]
     former = others[-1] if others else {"rows": [], "commit": "none"}
     print(f"In brackets: ratio to {former['commit']}")
-    build, files = Build("today", options.build), prepare(ROOT / "build/bench-scenes", options.scenes)
-    plan = PLAN["counts"] | {"scenes": options.scenes}
+    entry = header("bench/speed/instructions.py") | {"commit": name, "rows": []}
     precisions = counts.precisions_of(build, files[options.scenes[0]], PLAN["precisions"], PLAN["awake"])
-    for row in counts.rows_of(counts.build(os.cpu_count()), plan, options.bonds, precisions, files):
+    plan = PLAN["counts"] | {"scenes": options.scenes}
+    for row in counts.rows_of(counts.build(os.cpu_count(), source), plan, options.bonds, precisions, files):
         entry["rows"].append(row)
         print(compared(row, former["rows"]), flush=True)
-    options.out.write_text(json.dumps([*others, entry], indent=1) + "\n")
+        options.out.write_text(json.dumps([*others, entry], indent=1) + "\n")
 
 
 if __name__ == "__main__":

@@ -62,3 +62,10 @@ def test_inclusive_costs_of_calls_are_not_counted_twice(counts, tmp_path):
     assert entries["quotients_and_roots"] == 0
     assert counts.per_particle_step(totals, found, {0x10: ("vsqrtpd", "ymm0,ymm1")}, "/program", 5)["quotients_and_roots"] == 4
     assert entries["bytes_beyond_first_cache"] == 64 * 2 / 5 and entries["bytes_beyond_second_cache"] == pytest.approx(64 / 5)
+
+
+def test_counts_stand_beside_those_of_the_same_case(speed):
+    row = {"scene": "bed", "bond_number": 50, "precision": "mixed", "instructions": 450}
+    former = [row | {"bond_number": 0}, row | {"precision": "", "instructions": 900}]
+    assert "instructions 450 (0.500)" in speed("instructions").compared(row, former)
+    assert "instructions 450" in speed("instructions").compared(row, []) and "(" not in speed("instructions").compared(row, [])
