@@ -1,6 +1,6 @@
 """Measures everything of docs/performance.md about the solver on a processor, in turn, and writes bench/results/speed.json.
 
-usage: bench/speed/bench.py [--minutes 30] [--base COMMIT] [--quick] [--out FILE]
+usage: bench/speed/bench.py [--minutes 30] [--base COMMIT] [--shorten N] [--out FILE]
 Goes on where it was stopped: runs that are done are in results/bench, by the fingerprint of the program, until all are.
 """
 
@@ -33,7 +33,7 @@ def arguments():
     parser.add_argument("--build", default=os.environ.get("RECOAT_BUILD", ROOT / "build/release"))
     parser.add_argument("--base", default=PLAN["former_commit"], help="commit that takes turns with today's; empty: none")
     parser.add_argument("--minutes", type=float, default=30, help="no run starts later, but for one round of every case")
-    parser.add_argument("--quick", action="store_true", help="a hundredth of the steps and one round: does everything run?")
+    parser.add_argument("--shorten", type=int, default=1, help="divides all numbers of steps: 100 to see whether everything runs")
     parser.add_argument("--out", default=ROOT / "bench/results/speed.json")
     return parser.parse_args()
 
@@ -43,10 +43,10 @@ class Bench:
 
     def __init__(self, options):
         self.options, self.start = options, time.monotonic()
-        self.steps = shortened(PLAN["scenes"], 100) if options.quick else PLAN["scenes"]
-        self.repeats, self.other_repeats = (1, 1) if options.quick else (PLAN["repeats"], PLAN["other_repeats"])
+        self.steps = shortened(PLAN["scenes"], options.shorten)
+        self.repeats, self.other_repeats = PLAN["repeats"], PLAN["other_repeats"]
         machine = hashlib.sha256(description().encode()).hexdigest()[:8]
-        self.journal = Journal(WORK / f"{'quick' if options.quick else 'journal'}-{machine}.jsonl")
+        self.journal = Journal(WORK / f"journal-{machine}.jsonl")
         self.files = prepare(ROOT / "build/bench-scenes", list(self.steps))
         self.today = Build("recoat", options.build)
         self.base = Build(f"recoat at {options.base}", built(options.base, os.cpu_count())) if options.base else None
@@ -99,13 +99,9 @@ class Bench:
         return records
 
 
-def shortened(scenes, divisor):
-    """Plans of scenes with fewer steps."""
-
-    def less(value):
-        return {key: less(part) for key, part in value.items()} if isinstance(value, dict) else max(2, value // divisor)
-
-    return {scene: less(plan) for scene, plan in scenes.items()}
+def shortened(plan, divisor):
+    """A plan with all its numbers of steps divided."""
+    return {key: shortened(value, divisor) if isinstance(value, dict) else max(2, value // divisor) for key, value in plan.items()}
 
 
 def say(minutes, name, record):
@@ -116,10 +112,9 @@ def say(minutes, name, record):
 def limits(bench):
     """Of the machine, on one thread and on all cores."""
     program = bench.today.folder / "bench/machine-limits"
-    memory = ["--memory", 48] if bench.options.quick else []
 
     def measure(threads):
-        done = run([program, "--threads", threads, *memory])
+        done = run([program, "--threads", threads])
         if done.code != 0:
             raise RuntimeError(f"{program}: {done.errors.strip()}")
         return json.loads(done.output) | {"others": done.others}
@@ -129,9 +124,8 @@ def limits(bench):
 
 def counted(bench):
     """Instructions, operations and bytes per particle-step, by scene and Bond number."""
-    quick = bench.options.quick
-    plan = PLAN["counts"] | ({"warm": 2, "steps": 2} if quick else {})
-    program, bonds = counts.build(os.cpu_count()), [0] if quick else PLAN["bond_numbers"]
+    plan = PLAN["counts"] | shortened({"steps": PLAN["counts"]["steps"]}, bench.options.shorten)
+    program, bonds = counts.build(os.cpu_count()), PLAN["bond_numbers"]
     precisions = counts.precisions_of(bench.today, bench.files["bed"], PLAN["precisions"], PLAN["awake"])
     rows = []
     for row in counts.rows_of(program, plan, bonds, precisions, bench.files, bench.journal.once):
@@ -152,8 +146,9 @@ def skipped(bench):
 def skipped_contender(bench, row, side):
     """Ours with the settings of one side of a row, and with its own number of steps before the clock starts."""
     settings, steps = side.get("set", []), dict(bench.steps)
-    if "warm" in row and not bench.options.quick:
-        steps[side["scene"]] = steps[side["scene"]] | {"warm": row["warm"], "warm_cohesive": row["warm"]}
+    if "warm" in row:
+        warm = max(2, row["warm"] // bench.options.shorten)
+        steps[side["scene"]] = steps[side["scene"]] | {"warm": warm, "warm_cohesive": warm}
     awake = [setting for setting in PLAN["awake"] if setting.split("=")[0] not in {given.split("=")[0] for given in settings}]
     return Ours("recoat", bench.today, bench.files, steps, tuple(settings), tuple(awake))
 
@@ -179,13 +174,13 @@ def whole(bench):
 def main():
     options = arguments()
     bench = Bench(options)
-    result = header("bench/speed/bench.py" + (" --quick" if options.quick else "")) | {"load_average_before": os.getloadavg()}
+    result = header(f"bench/speed/bench.py --minutes {options.minutes:g} --shorten {options.shorten}") | {"load_average_before": os.getloadavg()}
     every, key = bench.cases()
     records = bench.rounds(bench.entries(key), bench.repeats)
     result["limits"], result["counts"] = limits(bench), counted(bench)
     result["skipped"], result["whole_case"] = skipped(bench), whole(bench)
     records |= bench.rounds(bench.entries([case for case in every if case not in key]), bench.other_repeats)
-    result["side_by_side"] = case_rows(every, bench.contenders, records, bench.base.name if bench.base else None)
+    result["side_by_side"] = case_rows(every, bench.contenders, records)
     result["minutes"] = round(bench.minutes(), 1)
     Path(options.out).write_text(json.dumps(result, indent=1) + "\n")
     bench.journal.close()

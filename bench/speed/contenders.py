@@ -77,7 +77,8 @@ class Peer:
         def attempt(skin):
             return self.peers.rate(self.tuned_like, (scene, 0, 1), plan["warm"], plan["steps"], skin)
 
-        tried = {skin: self.journal.once(f"skin {skin:g} {self.tuned_like} {scene}", lambda skin=skin: attempt(skin)) for skin in self.skins}
+        same = f"{self.tuned_like} {scene} {plan['warm']} {plan['steps']}"
+        tried = {skin: self.journal.once(f"skin {skin:g} {same}", lambda skin=skin: attempt(skin)) for skin in self.skins}
         good = {skin: record["rate"] for skin, record in tried.items() if record and "rate" in record}
         if not good:
             raise RuntimeError(f"{self.tuned_like} runs with none of the skins: {next(iter(tried.values()))}")

@@ -122,7 +122,9 @@ class Peers:
             said = "\n".join((done.output + done.errors).splitlines()[-5:])
             raise RuntimeError(f"{' '.join(map(str, command))}: code {done.code}\n{said}")
         rate = count * steps / float(loops[1][0])
-        return {"particles": count, "steps": steps, "rate": rate, "skin": skin, "others": done.others, **last_line(done.output)}
+        record = {"particles": count, "steps": steps, "rate": rate, "skin": skin, "others": done.others, **last_line(done.output)}
+        # The loop's share of a core is taken for that of the whole process; processes that wait for each other keep busy.
+        return record | ({"processor_rate": rate * done.wall / done.processor} if cores == 1 else {})
 
     def command(self, name, cores):
         kind = STYLES[name][0]

@@ -34,19 +34,18 @@ def paired(ours, theirs, kind=CLOCK):
     return ratios(*zip(*pairs)) if pairs else None
 
 
-def case_rows(cases, contenders, records, base):
-    """One row for each case: every contender's rate, and our ratio to it, by the clock; by processor time to the former commit."""
+def case_rows(cases, contenders, records):
+    """One row for each case: every contender's rate, and our ratio to it, by the clock and by processor time."""
     rows = []
     ours = [contender.name for contender in contenders if contender.name == "recoat" or contender.name.startswith("recoat, ")]
     for case in cases:
         found = {contender.name: records.get((str(case), contender.name)) for contender in contenders if contender.takes(case)}
         row = {"scene": case.scene, "bond_number": case.bond, "threads": case.threads}
         row["rates"] = {name: row_of(runs) for name, runs in found.items()}
-        row["ratios"] = {
-            mine: {other: paired(found.get(mine), runs, PROCESSOR if other == base else CLOCK) for other, runs in found.items() if other not in ours}
-            for mine in ours
-            if good(found.get(mine))
-        }
+        measured = [mine for mine in ours if good(found.get(mine))]
+        others = [other for other in found if other not in ours]
+        for name, kind in (("ratios", CLOCK), ("processor_ratios", PROCESSOR)):
+            row[name] = {mine: {other: paired(found[mine], found[other], kind) for other in others} for mine in measured}
         rows.append(row)
     return rows
 

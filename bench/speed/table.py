@@ -23,13 +23,15 @@ COUNTS = {
 }
 
 
-def millions(row):
+def millions(row, kind="rate"):
     """Median rate in 1e6 per second with its spread, or why there is none."""
     if not row:
         return "-"
     if "rate" not in row:
         return "fails" if "failed" in row else "not available"
-    rate = row["rate"]
+    if kind not in row:
+        return "-"
+    rate = row[kind]
     return f"{rate['median'] / 1e6:.2f} ({rate['least'] / 1e6:.2f} to {rate['largest'] / 1e6:.2f})"
 
 
@@ -55,21 +57,29 @@ def names_of(rows):
 
 
 def rates(result, threads):
+    """By the clock; of one thread on a busy machine by processor time."""
     rows = [row for row in result["side_by_side"] if row["threads"] == threads]
-    names = names_of(rows)
-    lines = [[NAMES[row["scene"]], f"{row['bond_number']:g}", *(millions(row["rates"].get(name)) for name in names)] for row in rows]
-    return table(["10^6 particle-steps/s", "Bo", *names], lines)
+    names, by_processor = names_of(rows), threads == 1 and bool(busy(result))
+    kind = "processor_rate" if by_processor else "rate"
+    lines = [[NAMES[row["scene"]], f"{row['bond_number']:g}", *(millions(row["rates"].get(name), kind) for name in names)] for row in rows]
+    return table([f"10^6 particle-steps per {'processor ' if by_processor else ''}second", "Bo", *names], lines)
+
+
+def kind_of_ratio(result):
+    """By the clock; on a busy machine by processor time."""
+    return ("processor_ratios", "by processor time") if busy(result) else ("ratios", "by the clock")
 
 
 def lead(result):
     """Our rate over that of the others, on one core."""
     rows = [row for row in result["side_by_side"] if row["threads"] == 1]
-    others = list(dict.fromkeys(other for row in rows for ours in row["ratios"].values() for other in ours))
+    kind, how = kind_of_ratio(result)
+    others = list(dict.fromkeys(other for row in rows for ours in row[kind].values() for other in ours))
     lines = []
     for row in rows:
-        for mine, ratios in row["ratios"].items():
+        for mine, ratios in row[kind].items():
             lines.append([NAMES[row["scene"]], f"{row['bond_number']:g}", mine, *(ratio(ratios.get(other)) for other in others)])
-    return table(["our rate over that of", "Bo", "ours", *others], lines)
+    return table([f"our rate, {how}, over that of", "Bo", "ours", *others], lines)
 
 
 def scaling(result):
@@ -77,7 +87,8 @@ def scaling(result):
     by_case = {(row["scene"], row["bond_number"], row["threads"]): row["rates"] for row in result["side_by_side"]}
 
     def over(name, case, other):
-        pair = [by_case.get(key, {}).get(name, {}).get("rate") for key in (case, other)]
+        kind = "processor_rate" if busy(result) and case[2] == other[2] else "rate"
+        pair = [by_case.get(key, {}).get(name, {}).get(kind) for key in (case, other)]
         return f"{pair[0]['median'] / pair[1]['median']:.2f}" if all(pair) else "-"
 
     bonds = sorted({bond for _, bond, _ in by_case})
@@ -98,7 +109,7 @@ def bounds(result):
     for row in result["counts"]:
         rates_of_case = by_case.get((row["scene"], row["bond_number"]), {})
         name, kind = (f"recoat, {row['precision']}", KINDS[row["precision"]]) if row["precision"] else ("recoat", "double")
-        ours = rates_of_case.get(name, {}).get("rate", {}).get("median")
+        ours = rates_of_case.get(name, {}).get("processor_rate", {}).get("median")
         if "instructions" not in row:
             continue
         shares = ["-", "-", "-"]
@@ -113,8 +124,8 @@ def bounds(result):
 def skipped(result):
     lines = []
     for row in result["skipped"]:
-        lines.append([row["what"], millions(row["with"]), millions(row["without"]), ratio(row["gain"])])
-    return table(["skipped", "computed, 10^6/s", "skipped, 10^6/s", "gain (processor time)"], lines)
+        lines.append([row["what"], *(millions(row[side], "processor_rate") for side in ("with", "without")), ratio(row["gain"])])
+    return table(["skipped", "computed, 10^6 per processor second", "skipped", "gain"], lines)
 
 
 def whole(result):
@@ -139,7 +150,7 @@ def busy(result):
     disturbed, runs = sum(row["disturbed_runs"] for row in rows), sum(row["rate"]["repeats"] for row in rows)
     if disturbed * 10 <= runs:
         return ""
-    return f"\n\n**The machine was busy**: others kept it busy in {disturbed} of {runs} runs, so rates by the clock are too low and ratios to other programs rough."
+    return f"\n\n**The machine was busy**: others kept it busy in {disturbed} of {runs} runs, so rates by the clock are too low; ratios are by processor time."
 
 
 def origin(result):
@@ -178,11 +189,12 @@ def sentence(result):
     """The lead on the settled bed of 10,000 without cohesion, for the README."""
     row = next(row for row in result["side_by_side"] if (row["scene"], row["bond_number"], row["threads"]) == ("bed", 0, 1))
     parts = []
-    for mine, ratios in row["ratios"].items():
+    kind, how = kind_of_ratio(result)
+    for mine, ratios in row[kind].items():
         peers = {other: value["median"] for other, value in ratios.items() if value and not other.startswith("recoat")}
         if peers:
-            rate = row["rates"][mine]["rate"]["median"] / 1e6
-            parts.append(f"{mine}: {rate:.1f} million particle-steps/s, " + ", ".join(f"{value:.1f} times {other}" for other, value in peers.items()))
+            rate = row["rates"][mine]["processor_rate" if busy(result) else "rate"]["median"] / 1e6
+            parts.append(f"{mine}: {rate:.1f} million particle-steps/s {how}, " + ", ".join(f"{value:.1f} times {other}" for other, value in peers.items()))
     return f"On one core, a settled bed of 10,000 spheres without cohesion: {'; '.join(parts)} ({origin(result)}).{busy(result)}"
 
 

@@ -26,12 +26,12 @@ def test_a_case_has_a_row_with_what_is_missing(speed, rows):
     names = ["recoat", "recoat, mixed", "recoat at abc", "LIGGGHTS", "LAMMPS granular"]
     contenders = [contender(speed, name) for name in names] + [contender(speed, "LAMMPS hertz", takes=False)]
     runs = [[run(8, 9), run(10, 9)], [None, None], [run(4, 3), run(4, 3)], [run(2), run(2, others=1.0)], [{"failed": "no mpi"}] * 2]
-    (row,) = rows.case_rows([case], contenders, {(str(case), name): found for name, found in zip(names, runs)}, "recoat at abc")
+    (row,) = rows.case_rows([case], contenders, {(str(case), name): found for name, found in zip(names, runs)})
     assert row["rates"]["recoat"]["rate"]["median"] == 9 and row["rates"]["LIGGGHTS"]["disturbed_runs"] == 1
     assert row["rates"]["recoat, mixed"] == {"not_available": True} and row["rates"]["LAMMPS granular"] == {"failed": "no mpi"}
     assert "LAMMPS hertz" not in row["rates"] and list(row["ratios"]) == ["recoat"]
-    # To the peers by the clock, to the former commit by processor time.
-    assert row["ratios"]["recoat"]["LIGGGHTS"]["median"] == 4.5 and row["ratios"]["recoat"]["recoat at abc"]["median"] == 3
+    assert row["ratios"]["recoat"]["LIGGGHTS"]["median"] == 4.5 and row["ratios"]["recoat"]["recoat at abc"]["median"] == 2.25
+    assert row["processor_ratios"]["recoat"]["recoat at abc"]["median"] == 3
     assert row["ratios"]["recoat"]["LAMMPS granular"] is None
 
 
@@ -91,7 +91,7 @@ def result_of(speed, rows):
         "commit": "abc",
         "limits": [limits],
         "counts": [counts],
-        "side_by_side": rows.case_rows([case], contenders, {(str(case), name): found for name, found in zip(names, runs)}, None),
+        "side_by_side": rows.case_rows([case], contenders, {(str(case), name): found for name, found in zip(names, runs)}),
         "skipped": rows.skipped_rows([{"what": "x"}], {("x", "with"): [run(1e6)], ("x", "without"): [run(2e6)]}),
         "whole_case": [],
     }
@@ -100,7 +100,7 @@ def result_of(speed, rows):
 def test_the_report_says_what_was_measured_and_that_the_machine_was_busy(speed, rows):
     table, result = speed("table"), result_of(speed, rows)
     text = table.report(result)
-    assert "9.00 (9.00 to 9.00)" in text and "The machine was busy" in text and "| 45 % | 45 % | 9 % |" in text and "| 2.00 (2.00 to 2.00) |" in text
+    assert "9.00 (9.00 to 9.00)" in text and "per processor second" in text and "by processor time, over that of" in text and "The machine was busy" in text and "| 45 % | 45 % | 9 % |" in text and "| 2.00 (2.00 to 2.00) |" in text
     assert "recoat, mixed" not in table.rates(result, 1) and "Not available: recoat, mixed." in text
     assert "3.0 times LIGGGHTS" in table.sentence(result) and "2000-01-01" in table.sentence(result)
 
