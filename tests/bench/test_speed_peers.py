@@ -72,3 +72,31 @@ def test_a_peer_that_is_here_sees_the_same_contacts(speed, peers, tmp_path, name
     assert result["rate"] > 0 and result["particles"] == 10_000
     assert result["coordination"] == pytest.approx(0.05, abs=0.005)
     assert result["kinetic_energy"] == pytest.approx(9.0e-14, rel=0.05)
+
+
+class FakePeers:
+    """Rates by skin; one of them fails."""
+
+    def __init__(self):
+        self.asked = []
+
+    def rate(self, name, case, warm, steps, skin, timeout=600):
+        self.asked.append((name, case, skin))
+        if skin == 1e-6:
+            raise RuntimeError("lost atoms")
+        return {"rate": {2e-6: 3.0, 3e-6: 2.0}[skin]}
+
+
+def test_the_fastest_skin_is_taken_and_tried_once(speed, tmp_path):
+    fake, steps = FakePeers(), {"bed": {"peers": {"warm": 1, "steps": 2}}}
+    journal = speed("journal").Journal(tmp_path / "journal.jsonl")
+    granular = speed("contenders").Peer("LAMMPS granular", fake, steps, (1e-6, 2e-6, 3e-6), "LAMMPS hertz", journal)
+    assert granular.skin("bed") == 2e-6 and granular.skin("bed") == 2e-6
+    assert fake.asked == [("LAMMPS hertz", ("bed", 0, 1), skin) for skin in (1e-6, 2e-6, 3e-6)]
+
+
+def test_skins_that_all_fail_are_told(speed, tmp_path):
+    journal = speed("journal").Journal(tmp_path / "journal.jsonl")
+    peer = speed("contenders").Peer("LIGGGHTS", FakePeers(), {"bed": {"peers": {"warm": 1, "steps": 2}}}, (1e-6,), "LIGGGHTS", journal)
+    with pytest.raises(RuntimeError, match="lost atoms"):
+        peer.skin("bed")
