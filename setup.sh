@@ -6,7 +6,7 @@ cd "$(dirname "$0")"
 
 packages=(
     build-essential cmake ninja-build ccache git clang-format clang-tidy
-    libeigen3-dev libhdf5-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev
+    libeigen3-dev libhdf5-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev libxsimd-dev
     libcgal-dev libgmp-dev libmpfr-dev
     libopenvdb-dev libtbb-dev libboost-iostreams-dev libblosc-dev libimath-dev zlib1g-dev libexpat1-dev
     python3 python3-venv

@@ -6,22 +6,31 @@
 
 namespace recoat {
 
-/// Three Cartesian components in double precision. Trivially copyable: the same type crosses to a device.
-struct Vec3 {
-    double x = 0, y = 0, z = 0;
+/// Three Cartesian components. `T` is a number, or a pack of numbers for as many vectors. Trivially copyable: the same
+/// type crosses to a device.
+template <class T>
+struct Vec3Of {
+    T x{}, y{}, z{};
 
-    friend bool operator==(const Vec3&, const Vec3&) = default;
+    friend bool operator==(const Vec3Of&, const Vec3Of&) = default;
+
+    friend RECOAT_HD Vec3Of operator+(Vec3Of a, Vec3Of b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend RECOAT_HD Vec3Of operator-(Vec3Of a, Vec3Of b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+    friend RECOAT_HD Vec3Of operator-(Vec3Of a) { return {-a.x, -a.y, -a.z}; }
+    friend RECOAT_HD Vec3Of operator*(T s, Vec3Of a) { return {s * a.x, s * a.y, s * a.z}; }
+    friend RECOAT_HD Vec3Of& operator+=(Vec3Of& a, Vec3Of b) { return a = a + b; }
+
+    friend RECOAT_HD T dot(Vec3Of a, Vec3Of b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+    friend RECOAT_HD Vec3Of cross(Vec3Of a, Vec3Of b) {
+        return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+    }
+    friend RECOAT_HD T squared_norm(Vec3Of a) { return dot(a, a); }
+    friend RECOAT_HD T norm(Vec3Of a) {
+        using std::sqrt;
+        return sqrt(dot(a, a));
+    }
 };
 
-RECOAT_HD Vec3 operator+(Vec3 a, Vec3 b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
-RECOAT_HD Vec3 operator-(Vec3 a, Vec3 b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
-RECOAT_HD Vec3 operator-(Vec3 a) { return {-a.x, -a.y, -a.z}; }
-RECOAT_HD Vec3 operator*(double s, Vec3 a) { return {s * a.x, s * a.y, s * a.z}; }
-RECOAT_HD Vec3& operator+=(Vec3& a, Vec3 b) { return a = a + b; }
-
-RECOAT_HD double dot(Vec3 a, Vec3 b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-RECOAT_HD Vec3 cross(Vec3 a, Vec3 b) { return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x}; }
-RECOAT_HD double squared_norm(Vec3 a) { return dot(a, a); }
-RECOAT_HD double norm(Vec3 a) { return std::sqrt(dot(a, a)); }
+using Vec3 = Vec3Of<double>;
 
 }  // namespace recoat

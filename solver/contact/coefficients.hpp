@@ -8,39 +8,49 @@
 
 namespace recoat {
 
-/// Numbers of one contact that do not change while it lasts.
-struct Coefficients {
-    double hertz;                ///< k_H = 4/3 E* sqrt(R*) [N/m^1.5]
-    double normal_damping;       ///< sqrt(5) beta sqrt(m* k_H): times overlap^(1/4) it is c_n [kg/s/m^0.25]
-    double tangential_damping;   ///< 2 sqrt(5/6) beta_t sqrt(8 G* sqrt(R*) m*), likewise
-    double inverse_mass;         ///< 1/m* [1/kg]
-    double attraction_gap;       ///< F_o: largest attraction out of contact [N]
-    double attraction_contact;   ///< F_r: attraction in contact [N]
-    double attraction_friction;  ///< F_v^O of eq. 8 (original Hamaker constant) [N]
-    double rolling_length;       ///< length that the contact gives to rolling resistance [m]; 1 where the particle does
+/// Numbers of one contact, or packs of those of several, that do not change while it lasts.
+template <class T>
+struct CoefficientsOf {
+    T hertz;                ///< k_H = 4/3 E* sqrt(R*) [N/m^1.5]
+    T inverse_hertz;        ///< 1/k_H
+    T normal_damping;       ///< sqrt(5) beta sqrt(m* k_H): times overlap^(1/4) it is c_n [kg/s/m^0.25]
+    T tangential_damping;   ///< 2 sqrt(5/6) beta_t sqrt(8 G* sqrt(R*) m*), likewise
+    T inverse_mass;         ///< 1/m* [1/kg]
+    T attraction_gap;       ///< F_o: largest attraction out of contact [N]
+    T attraction_contact;   ///< F_r: attraction in contact [N]
+    T attraction_friction;  ///< F_v^O of eq. 8 (original Hamaker constant) [N]
+    T rolling_length;       ///< length that the contact gives to rolling resistance [m]; 1 where the particle does
 };
 
-/// Numbers of one kind of contact (pair or wall), before radii and masses are known.
-struct ContactScale {
-    double modulus = 0, shear_modulus = 0;  ///< E*, G* of the reduced stiffness [Pa]
-    double normal_damping = 0;              ///< sqrt(5) beta [-]
-    double tangential_damping = 0;          ///< 2 sqrt(5/6) beta_t [-]
-    double attraction_gap = 0, attraction_contact = 0, attraction_friction = 0;  ///< A/(6 s_min^2) [N/m]
-    double rolling_factor = 0, rolling_constant = 1;  ///< rolling length = factor R* + constant
+using Coefficients = CoefficientsOf<double>;
 
-    RECOAT_HD Coefficients at(double reduced_radius, double reduced_mass) const {
-        const double root = std::sqrt(reduced_radius);
-        const double hertz = 4.0 / 3.0 * modulus * root;
+/// Numbers of one kind of contact (pair or wall), before radii and masses are known.
+template <class Real>
+struct ContactScaleOf {
+    Real modulus = 0, shear_modulus = 0;                                       ///< E*, G* of the reduced stiffness [Pa]
+    Real normal_damping = 0;                                                   ///< sqrt(5) beta [-]
+    Real tangential_damping = 0;                                               ///< 2 sqrt(5/6) beta_t [-]
+    Real attraction_gap = 0, attraction_contact = 0, attraction_friction = 0;  ///< A/(6 s_min^2) [N/m]
+    Real rolling_factor = 0, rolling_constant = 1;  ///< rolling length = factor R* + constant
+
+    template <class T>
+    RECOAT_HD CoefficientsOf<T> at(T reduced_radius, T reduced_mass) const {
+        using std::sqrt;
+        const T root = sqrt(reduced_radius);
+        const T hertz = Real(4.0 / 3.0) * modulus * root;
         return {hertz,
-                normal_damping * std::sqrt(reduced_mass * hertz),
-                tangential_damping * std::sqrt(8 * shear_modulus * root * reduced_mass),
-                1 / reduced_mass,
+                T(1) / hertz,
+                normal_damping * sqrt(reduced_mass * hertz),
+                tangential_damping * sqrt(Real(8) * shear_modulus * root * reduced_mass),
+                T(1) / reduced_mass,
                 attraction_gap * reduced_radius,
                 attraction_contact * reduced_radius,
                 attraction_friction * reduced_radius,
-                rolling_factor * reduced_radius + rolling_constant};
+                rolling_factor * reduced_radius + T(rolling_constant)};
     }
 };
+
+using ContactScale = ContactScaleOf<double>;
 
 /// The scales of `model` for pairs (`wall` = false) or walls.
 inline ContactScale contact_scale(const ContactModel& model, bool wall) {
@@ -72,37 +82,62 @@ inline ContactScale contact_scale(const ContactModel& model, bool wall) {
 }
 
 /// Coefficients when all particles are alike: two constants.
-struct EqualSizes {
+template <class Real>
+struct EqualSizesOf {
     static constexpr bool equal = true;
-    Coefficients pair, wall;
+    CoefficientsOf<Real> pair, wall;
     double radius, mass, inertia, inverse_mass, inverse_inertia;
 
-    RECOAT_HD const Coefficients& of_pair(double, double) const { return pair; }
-    RECOAT_HD const Coefficients& of_wall(double) const { return wall; }
+    template <class T>
+    RECOAT_HD const CoefficientsOf<Real>& of_pair(T, T) const {
+        return pair;
+    }
+    template <class T>
+    RECOAT_HD const CoefficientsOf<Real>& of_wall(T) const {
+        return wall;
+    }
     RECOAT_HD double mass_of(double) const { return mass; }
     RECOAT_HD double inertia_of(double) const { return inertia; }
     RECOAT_HD double inverse_mass_of(double) const { return inverse_mass; }
     RECOAT_HD double inverse_inertia_of(double) const { return inverse_inertia; }
-    RECOAT_HD double radius_of(double) const { return radius; }
+    template <class T>
+    RECOAT_HD T radius_of(T) const {
+        return T(radius);
+    }
 };
 
+using EqualSizes = EqualSizesOf<double>;
+
 /// Coefficients of spheres of any radii.
-struct AnySizes {
+template <class Real>
+struct AnySizesOf {
     static constexpr bool equal = false;
-    ContactScale pair, wall;
+    ContactScaleOf<Real> pair, wall;
     double density;
 
-    RECOAT_HD double mass_of(double r) const { return 4.0 / 3.0 * std::numbers::pi * r * r * r * density; }
+    template <class T>
+    RECOAT_HD T mass_of(T r) const {
+        return Real(4.0 / 3.0 * std::numbers::pi) * r * r * r * Real(density);
+    }
     RECOAT_HD double inertia_of(double r) const { return 0.4 * mass_of(r) * r * r; }
     RECOAT_HD double inverse_mass_of(double r) const { return 1 / mass_of(r); }
     RECOAT_HD double inverse_inertia_of(double r) const { return 1 / inertia_of(r); }
-    RECOAT_HD double radius_of(double r) const { return r; }
-    RECOAT_HD Coefficients of_pair(double r, double q) const {
-        const double m = mass_of(r), n = mass_of(q);
+    template <class T>
+    RECOAT_HD T radius_of(T r) const {
+        return r;
+    }
+    template <class T>
+    RECOAT_HD CoefficientsOf<T> of_pair(T r, T q) const {
+        const T m = mass_of(r), n = mass_of(q);
         return pair.at(r * q / (r + q), m * n / (m + n));
     }
-    RECOAT_HD Coefficients of_wall(double r) const { return wall.at(r, mass_of(r)); }
+    template <class T>
+    RECOAT_HD CoefficientsOf<T> of_wall(T r) const {
+        return wall.at(r, mass_of(r));
+    }
 };
+
+using AnySizes = AnySizesOf<double>;
 
 inline EqualSizes equal_sizes(const ContactModel& model, double radius) {
     const double mass = sphere_mass(radius, model.density);

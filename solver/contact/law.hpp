@@ -1,7 +1,6 @@
 #pragma once
 
 #include "solver/contact/attraction.hpp"
-#include "solver/contact/cube_root.hpp"
 #include "solver/contact/hertz.hpp"
 #include "solver/contact/mindlin.hpp"
 #include "solver/contact/rolling.hpp"
@@ -9,66 +8,120 @@
 namespace recoat {
 
 /// What one contact does to its first partner, and what that costs.
-struct ContactResult {
-    Vec3 force;               ///< repulsion and friction on the first partner [N]
-    Vec3 tangential;          ///< friction alone [N]
-    double friction_load;     ///< F^M: normal force that friction and rolling see [N]
-    double normal_power;      ///< dissipated by the normal dashpot [W]
-    double tangential_power;  ///< taken by friction from the motion [W]
+template <class T>
+struct ContactResultOf {
+    Vec3Of<T> force;       ///< repulsion and friction on the first partner [N]
+    Vec3Of<T> tangential;  ///< friction alone [N]
+    T friction_load;       ///< F^M: normal force that friction and rolling see [N]
+    T normal_power;        ///< dissipated by the normal dashpot [W]
+    T tangential_power;    ///< taken by friction from the motion [W]
+};
+
+using ContactResult = ContactResultOf<double>;
+
+/// What friction and rolling see of the normal force.
+template <class T>
+struct FrictionLoad {
+    T force;            ///< F^M [N]
+    T overlap;          ///< Hertz-equivalent overlap of F^M [m]
+    T quarter;          ///< its fourth root
+    T inverse_overlap;  ///< [1/m]; anything where the overlap is 0
 };
 
 /// The contact law without the attraction itself: Hertz, Mindlin-Deresiewicz, and the force that friction sees under
-/// stiffness scaling [paper eq. 4, 5, 8; docs/physics.md sections 1 and 2.2].
-template <bool cohesive>
+/// stiffness scaling [paper eq. 4, 5, 8; docs/physics.md sections 1 and 2.2]. `Real` is the type of its numbers; it is
+/// evaluated for a number or a pack of numbers `T` at a time.
+template <bool cohesive, class Real = double>
 struct ContactLaw {
-    Hertz hertz;
-    Mindlin mindlin;
-    Rolling rolling;
-    double frictional_range;  ///< a pair keeps its tangential displacement up to this separation [m]: s_min, or 0
+    HertzOf<Real> hertz;
+    MindlinOf<Real> mindlin;
+    RollingOf<Real> rolling;
+    Real frictional_range;  ///< a pair keeps its tangential displacement up to this separation [m]: s_min, or 0
 
     /// `attraction`: mean attraction that the pair felt in the previous step [N]. `displacement` is that of half a step
     /// before on entry and of half a step after on return, so that the sliding velocity of this instant counts on both
     /// sides: the sum is the trapezoidal rule, and a contact that began somewhere in the last step has slid for half.
-    RECOAT_HD ContactResult operator()(const Kinematics& k, const Coefficients& c, double attraction, double time_step,
-                                       Vec3& displacement) const {
-        const double overlap = k.separation < 0 ? -k.separation : 0;
-        const double root = std::sqrt(overlap);
-        const double quarter = std::sqrt(root);
-        const double elastic = hertz.elastic(overlap, root, c);
-        const double viscous = hertz.viscous(elastic, quarter, k.closing_rate, c);
+    ///
+    /// It is done in four parts, each a short chain of roots, so that a processor's loop over each of them in turn has
+    /// several contacts under way at a time.
+    template <class T, class C>
+    RECOAT_HD ContactResultOf<T> operator()(const KinematicsOf<T>& k, const C& c, T attraction, T time_step,
+                                            Vec3Of<T>& displacement) const {
+        const Push<T> push = this->push(k.separation, k.closing_rate, attraction, c);
+        displacement = slid(displacement, k.normal, k.sliding_velocity, k.separation, time_step);
+        const auto pull = this->pull(displacement, push.load, k.sliding_velocity, c);
+        return result(push, mindlin.borne(pull), k.normal, k.closing_rate, k.separation, k.sliding_velocity, time_step,
+                      displacement);
+    }
 
-        const Load load = friction_load(elastic, overlap, quarter, attraction, k.separation, c);
-        const double kept = k.separation <= frictional_range ? 1 : 0;
-        displacement = kept * mindlin.advance(displacement, k, 0.5 * time_step);
-        const Vec3 tangential =
-            mindlin.force(displacement, load.force, load.overlap, c.tangential_damping * load.quarter, k);
-        displacement += (0.5 * kept * time_step) * k.sliding_velocity;
+    /// Along the normal.
+    template <class T>
+    struct Push {
+        T elastic, viscous;    ///< [N]
+        FrictionLoad<T> load;  ///< what friction sees of it
+    };
 
-        ContactResult result;
+    template <class T, class C>
+    RECOAT_HD Push<T> push(T separation, T closing_rate, T attraction, const C& c) const {
+        const T overlap = larger(-separation, T(0));
+        const T inverse = inverse_root(overlap);
+        const T root = overlap * inverse;
+        const T quarter = root * inverse_root(root);
+        const T elastic = hertz.elastic(overlap, root, c);
+        const T viscous = hertz.viscous(elastic, quarter, closing_rate, c);
+        return {
+            elastic, viscous,
+            friction_load(FrictionLoad<T>{elastic, overlap, quarter, inverse * inverse}, attraction, separation, c)};
+    }
+
+    /// The displacement at this instant.
+    template <class T>
+    RECOAT_HD Vec3Of<T> slid(Vec3Of<T> displacement, Vec3Of<T> normal, Vec3Of<T> sliding_velocity, T separation,
+                             T time_step) const {
+        return kept(separation) * mindlin.advance(displacement, normal, sliding_velocity, T(0.5) * time_step);
+    }
+
+    template <class T, class C>
+    RECOAT_HD auto pull(Vec3Of<T>& displacement, const FrictionLoad<T>& load, Vec3Of<T> sliding_velocity,
+                        const C& c) const {
+        return mindlin.pull(displacement, load.force, load.overlap, load.inverse_overlap,
+                            T(c.tangential_damping * load.quarter), sliding_velocity);
+    }
+
+    template <class T>
+    RECOAT_HD ContactResultOf<T> result(const Push<T>& push, Vec3Of<T> tangential, Vec3Of<T> normal, T closing_rate,
+                                        T separation, Vec3Of<T> sliding_velocity, T time_step,
+                                        Vec3Of<T>& displacement) const {
+        displacement += (T(0.5) * kept(separation) * time_step) * sliding_velocity;
+        ContactResultOf<T> result;
         result.tangential = tangential;
-        result.force = tangential - (elastic + viscous) * k.normal;
-        result.friction_load = load.force;
-        result.normal_power = -viscous * k.closing_rate;
-        result.tangential_power = -dot(tangential, k.sliding_velocity);
+        result.force = tangential - (push.elastic + push.viscous) * normal;
+        result.friction_load = push.load.force;
+        result.normal_power = -(push.viscous * closing_rate);
+        result.tangential_power = -dot(tangential, sliding_velocity);
         return result;
     }
 
-    struct Load {
-        double force;    ///< F^M [N]
-        double overlap;  ///< Hertz-equivalent overlap of F^M [m]
-        double quarter;  ///< its fourth root
-    };
+    /// 1 while a pair keeps its displacement, else 0.
+    template <class T>
+    RECOAT_HD T kept(T separation) const {
+        return select(separation <= T(frictional_range), T(1), T(0));
+    }
 
-    /// F^M = max(0, F_cn^R - F_v + F_v^O), and the overlap at which Hertz gives it [docs/physics.md 2.2 (a), (c)].
-    RECOAT_HD Load friction_load(double elastic, double overlap, double quarter, double attraction, double separation,
-                                 const Coefficients& c) const {
+    /// F^M = max(0, F_cn^R - F_v + F_v^O), and the overlap at which Hertz gives it [docs/physics.md 2.2 (a), (c)];
+    /// `elastic`: the repulsion and its overlap.
+    template <class T, class C>
+    RECOAT_HD FrictionLoad<T> friction_load(const FrictionLoad<T>& elastic, T attraction, T separation,
+                                            const C& c) const {
         if constexpr (cohesive) {
-            const double sum = elastic - attraction + c.attraction_friction;
-            const double force = separation <= frictional_range && sum > 0 ? sum : 0;
-            const double root = cube_root(force / c.hertz);
-            return {force, root * root, std::sqrt(root)};
+            const T sum = elastic.force - attraction + c.attraction_friction;
+            const T force = select(separation <= T(frictional_range), larger(sum, T(0)), T(0));
+            const T share = force * c.inverse_hertz;
+            const T sixth = inverse_sixth_root(share);
+            const T square = sixth * sixth;
+            return {force, share * square, share * (square * square * sixth), square * square};
         } else {
-            return {elastic, overlap, quarter};
+            return elastic;
         }
     }
 };
@@ -80,6 +133,16 @@ ContactLaw<cohesive> contact_law(const ContactModel& model) {
             Mindlin{model.sliding_friction, model.sliding_friction * (2 - nu) / (2 - 2 * nu),
                     model.cap_dashpot ? 1.0 : 0.0},
             Rolling{model.rolling_friction}, cohesive ? model.minimum_separation : 0.0};
+}
+
+/// The same law with numbers of another type.
+template <class Real, bool cohesive>
+ContactLaw<cohesive, Real> law_of(const ContactLaw<cohesive>& law) {
+    const auto real = [](double x) { return static_cast<Real>(x); };
+    return {{real(law.hertz.clip)},
+            {real(law.mindlin.friction), real(law.mindlin.slip_per_overlap), real(law.mindlin.cap)},
+            {real(law.rolling.friction)},
+            real(law.frictional_range)};
 }
 
 }  // namespace recoat

@@ -152,7 +152,7 @@ void make_close_list(Space& space, const CloseListInput& in, const FarList<Space
     const auto begins = space.picked(contacts.offsets, in.particles, in.particles, 1 + in.walls);
     contacts.wall_begin.assign(begins.begin(), begins.end());
     contacts.pairs = contacts.wall_begin.front();
-    contacts.resize(contacts.wall_begin.back(), in.cohesive, in.relative_rolling);
+    contacts.resize(contacts.wall_begin.back());
     const ContactWriter writer{in,
                                contacts.first.data(),
                                contacts.second.data(),
@@ -176,7 +176,11 @@ void make_close_list(Space& space, const CloseListInput& in, const FarList<Space
             writer.wall(k, static_cast<std::int32_t>(slot % in.particles), slot / in.particles - 1);
         }
     });
-    list_incidence(space, contacts, in.particles);
+    // A processor adds contacts up while it goes through them.
+    if constexpr (!Space::on_host) {
+        contacts.resize_scratch(in.cohesive, in.relative_rolling);
+        list_incidence(space, contacts, in.particles);
+    }
 }
 
 }  // namespace recoat

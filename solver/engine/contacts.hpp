@@ -68,12 +68,11 @@ struct ContactArrays {
 
     [[nodiscard]] std::size_t size() const { return first.size(); }
 
-    void resize(std::size_t n, bool cohesive, bool relative_rolling) {
+    void resize(std::size_t n) {
         first.resize(n);
         second.resize(n);
         for (auto* array : {&slip_x, &slip_y, &slip_z, &attraction, &lost_normal, &lost_tangential, &wall_work})
             array->resize(n);
-        resize_scratch(cohesive, relative_rolling);
     }
 
     /// Room for what the passes write anew in every step.
@@ -82,6 +81,14 @@ struct ContactArrays {
         force.resize(size());
         rolling.resize(relative_rolling ? size() : 0);
         impulse.resize(cohesive ? size() : 0);
+    }
+
+    /// Gives back what resize_scratch() and the lists of contacts of each particle take.
+    void drop_scratch() {
+        for (auto* array : {&normal_x, &normal_y, &normal_z, &separation}) *array = {};
+        force = {};
+        rolling = impulse = {};
+        incidence_begin = incidence = {};
     }
 
     [[nodiscard]] ContactView view() {

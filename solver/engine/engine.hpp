@@ -24,6 +24,12 @@ struct ParticleTable {
     [[nodiscard]] std::size_t size() const { return position.size(); }
 };
 
+/// In what precision contacts are computed; positions, velocities and sums are always in double precision.
+enum class Precision {
+    double_precision,
+    mixed  ///< law, history and forces of contacts in single precision
+};
+
 /// What an engine is built from.
 struct EngineSetup {
     ContactModel model;
@@ -35,6 +41,7 @@ struct EngineSetup {
     Vec3 domain_lower;     ///< a centre outside the domain is a fault; entries may be infinite [m]
     Vec3 domain_upper;
     ListSkins skins;
+    Precision precision = Precision::double_precision;
     Resources resources;
 };
 

@@ -11,6 +11,7 @@
 #include "solver/engine/scene_types.hpp"
 #include "solver/engine/step_passes.hpp"
 #include "solver/engine/step_plan.hpp"
+#include "solver/engine/tile_stepper.hpp"
 #include "solver/execution/value.hpp"
 
 namespace recoat {
@@ -27,6 +28,9 @@ public:
           space_(setup.resources),
           passes_(setup, sizes, smallest_radius(setup, snapshot.particles)),
           lists_(setup) {
+        if constexpr (Space::on_host)
+            tiles_ = make_tile_stepper(setup, Sizes::equal ? sizes.radius_of(0.0) : 0,
+                                       smallest_radius(setup, snapshot.particles));
         copy_snapshot(snapshot, s_, [&](const auto& from, auto& to) { space_.copy(from, to); });
         upload_walls();
         if (s_.fresh)
@@ -105,18 +109,40 @@ private:
     /// Makes steps until something stops them; `control` then says what.
     void run(StepControl& control) {
         seen_ = Seen::nothing;
+        if constexpr (Space::on_host)
+            run_tiles(control);
+        else
+            run_passes(control);
+        s_.walls.move(s_.step, setup_.time_step);
+    }
+
+    void run_tiles(StepControl& control) {
+        const StepEnd end = passes_.end({&control, anchors_.data()});
+        tiles_->begin(s_);
+        while (control.halt == Halt::none) {
+            tiles_->step(control);
+            end();
+        }
+        tiles_->end();
+        take(control);
+    }
+
+    void run_passes(StepControl& control) {
         control_.assign(space_, control);
         const StepMemory memory = this->memory();
         const StepEnd end = passes_.end(memory);
         while (control.halt == Halt::none) {
             space_.repeat(planned_steps(control), end, [&] { step_once(memory, end); });
             control = control_.read(space_);
-            s_.step = control.step;
-            s_.travelled = control.travelled;
-            s_.last_travel = control.last_travel;
-            s_.largest_overlap = control.largest_overlap;
+            take(control);
         }
-        s_.walls.move(s_.step, setup_.time_step);
+    }
+
+    void take(const StepControl& control) {
+        s_.step = control.step;
+        s_.travelled = control.travelled;
+        s_.last_travel = control.last_travel;
+        s_.largest_overlap = control.largest_overlap;
     }
 
     void step_once(const StepMemory& memory, const StepEnd& end) {
@@ -166,10 +192,13 @@ private:
         s_.last_travel = setup_.time_step * largest_norm(space_, s_.particles.velocity.data(), n);
         space_.fill(s_.contacts.offsets, n * (1 + s_.walls.now().size()) + 1, std::int32_t{0});
         lists_.refresh(space_, s_, anchors_);
+        if constexpr (Space::on_host)
+            complete_list(space_, s_.contacts, setup_.model, n, s_.walls.now().size());
         control_.assign(space_, control());
         if constexpr (cohesive) space_.run(passes_.first_attraction(s_, memory()));
         space_.run(passes_.contacts(s_, memory(), 0));
         start_leapfrog(space_, passes_.particle_pass(s_), n);
+        if constexpr (Space::on_host) s_.contacts.drop_scratch();
         s_.fresh = false;
         s_.totals.add(next_bookings(snapshot(), setup_), -0.5);
         seen_ = Seen::nothing;
@@ -209,6 +238,7 @@ private:
     SnapshotOf<Space> kept_;       ///< some steps ago, with the same walls
     Array<WallAnchor> anchors_;
     Value<Space, StepControl> control_;
+    std::unique_ptr<TileStepper> tiles_;  ///< a processor's step
     mutable Snapshot host_;  ///< the copy that the host has of a device's snapshot
     mutable Seen seen_ = Seen::nothing;
 };

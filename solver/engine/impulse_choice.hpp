@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <utility>
 #include <variant>
 
 #include "solver/contact/impulse.hpp"
@@ -9,8 +10,33 @@
 namespace recoat {
 
 /// The scheme of the attraction, chosen once per scene.
-using ImpulseChoice = std::variant<FixedPointImpulse<2>, SecantImpulse<3>, BracketedImpulse, ExplicitImpulse,
-                                   PredictionCorrectionImpulse>;
+template <class Real>
+using ImpulseChoiceOf = std::variant<FixedPointImpulse<2, Real>, SecantImpulse<3, Real>, BracketedImpulse<Real>,
+                                     ExplicitImpulse<Real>, PredictionCorrectionImpulse<Real>>;
+using ImpulseChoice = ImpulseChoiceOf<double>;
+
+/// The same scheme with numbers of another type.
+template <class Real>
+ImpulseChoiceOf<Real> cast(const ImpulseChoice& choice) {
+    const auto parts = [](const auto& impulse) {
+        return std::pair{AttractionOf<Real>{static_cast<Real>(impulse.attraction.minimum_separation),
+                                            static_cast<Real>(impulse.attraction.cut_off)},
+                         static_cast<Real>(impulse.time_step)};
+    };
+    const auto [attraction, time_step] = std::visit(parts, choice);
+    switch (choice.index()) {
+        case 0:
+            return FixedPointImpulse<2, Real>{attraction, time_step};
+        case 1:
+            return SecantImpulse<3, Real>{attraction, time_step};
+        case 2:
+            return BracketedImpulse<Real>{attraction, time_step};
+        case 3:
+            return ExplicitImpulse<Real>{attraction, time_step};
+        default:
+            return PredictionCorrectionImpulse<Real>{attraction, time_step};
+    }
+}
 
 /// Contraction of the fixed point per iteration, dt^2 F_o / (2 m* s_min), at its largest [docs/physics.md section 2.5].
 inline double impulse_contraction(const Coefficients& c, double minimum_separation, double time_step) {
@@ -28,9 +54,9 @@ ImpulseChoice choose_impulse(const ContactModel& model, double time_step, const 
     const Attraction attraction{model.minimum_separation, model.cut_off};
     switch (model.scheme) {
         case CohesionScheme::explicit_force:
-            return ExplicitImpulse{attraction, time_step};
+            return ExplicitImpulse<>{attraction, time_step};
         case CohesionScheme::prediction_correction:
-            return PredictionCorrectionImpulse{attraction, time_step};
+            return PredictionCorrectionImpulse<>{attraction, time_step};
         case CohesionScheme::discrete_gradient:
             break;
     }
@@ -40,7 +66,7 @@ ImpulseChoice choose_impulse(const ContactModel& model, double time_step, const 
                  impulse_contraction(sizes.of_wall(smallest), model.minimum_separation, time_step));
     if (contraction < small_contraction) return FixedPointImpulse<2>{attraction, time_step};
     if (contraction < large_contraction) return SecantImpulse<3>{attraction, time_step};
-    return BracketedImpulse{attraction, time_step};
+    return BracketedImpulse<>{attraction, time_step};
 }
 
 }  // namespace recoat

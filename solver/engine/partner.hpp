@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstddef>
 
+#include "common/select.hpp"
 #include "solver/contact/coefficients.hpp"
+#include "solver/contact/roots.hpp"
 #include "solver/engine/particles.hpp"
 #include "solver/engine/wall.hpp"
 
@@ -19,12 +21,29 @@ struct Period {
     RECOAT_HD Vec3 nearest(Vec3 d) const { return {d.x, d.y - length * std::rint(d.y * inverse), d.z}; }
 };
 
-/// Where and how two partners meet.
-struct Meeting {
-    Vec3 normal;        ///< from the first to the second
-    double separation;  ///< [m]
-    double distance;    ///< from the first's centre to the second's centre, or to the wall's closest point [m]
+/// Where and how two partners, or packs of them, meet.
+template <class T>
+struct MeetingOf {
+    Vec3Of<T> normal;  ///< from the first to the second
+    T separation;      ///< [m]
+    T distance;        ///< from the first's centre to the second's centre, or to the wall's closest point [m]
 };
+
+using Meeting = MeetingOf<double>;
+
+/// Of spheres or points `d` apart, whose radii add up to `reach`. Coinciding centres have no normal.
+template <class T>
+RECOAT_HD MeetingOf<T> meeting(Vec3Of<T> d, T reach) {
+    const T square = squared_norm(d), inverse = inverse_root(larger(square, T(1e-200)));
+    const T distance = square * inverse;
+    return {inverse * d, distance - reach, distance};
+}
+
+/// The same vector in every place of a pack.
+template <class T>
+RECOAT_HD Vec3Of<T> spread(Vec3 v) {
+    return {T(v.x), T(v.y), T(v.z)};
+}
 
 /// The second partner is a particle.
 template <class Sizes>
@@ -36,9 +55,7 @@ struct ParticlePartner {
 
     RECOAT_HD Meeting meet(const ParticleView& p, std::int32_t i, std::int32_t j) const {
         const Vec3 d = period.nearest(load(p.position, j).xyz() - load(p.position, i).xyz());
-        const double distance = std::sqrt(squared_norm(d));
-        const double reach = sizes.radius_of(p.position[i].w) + sizes.radius_of(p.position[j].w);
-        return {(1 / (distance > 1e-300 ? distance : 1e-300)) * d, distance - reach, distance};
+        return meeting(d, sizes.radius_of(p.position[i].w) + sizes.radius_of(p.position[j].w));
     }
     RECOAT_HD decltype(auto) coefficients(const ParticleView& p, std::int32_t i, std::int32_t j) const {
         return sizes.of_pair(p.position[i].w, p.position[j].w);
@@ -71,31 +88,33 @@ struct ParticlePartner {
 struct PlaneShape {
     Vec3 point, normal;
 
-    explicit PlaneShape(const Wall& wall) : point(wall.point), normal(wall.normal) {}
+    RECOAT_HD PlaneShape(Vec3 any_point, Vec3 unit_normal) : point(any_point), normal(unit_normal) {}
+    explicit PlaneShape(const Wall& wall) : PlaneShape(wall.point, wall.normal) {}
     RECOAT_HD PlaneShape(const WallAnchor& from, Vec3 way) : point(from.point + way), normal(from.normal) {}
 
-    RECOAT_HD Meeting meet(Vec3 centre, double radius) const {
-        const double height = dot(centre - point, normal);
-        return {-normal, height - radius, height};
+    template <class T>
+    RECOAT_HD MeetingOf<T> meet(Vec3Of<T> centre, T radius) const {
+        const T height = dot(centre - spread<T>(point), spread<T>(normal));
+        return {spread<T>(-normal), height - radius, height};
     }
+    RECOAT_HD Meeting meet(Vec3 centre, double radius) const { return meet<double>(centre, radius); }
 };
 
 /// A box, met at its closest point: face, edge or corner.
 struct BoxShape {
     Vec3 lower, upper;
 
-    explicit BoxShape(const Wall& wall) : lower(wall.lower), upper(wall.upper) {}
+    RECOAT_HD BoxShape(Vec3 lower_corner, Vec3 upper_corner) : lower(lower_corner), upper(upper_corner) {}
+    explicit BoxShape(const Wall& wall) : BoxShape(wall.lower, wall.upper) {}
     RECOAT_HD BoxShape(const WallAnchor& from, Vec3 way) : lower(from.lower + way), upper(from.upper + way) {}
 
-    RECOAT_HD Meeting meet(Vec3 c, double radius) const {
-        const Vec3 closest = {clamp(c.x, lower.x, upper.x), clamp(c.y, lower.y, upper.y), clamp(c.z, lower.z, upper.z)};
-        const Vec3 d = closest - c;
-        const double distance = std::sqrt(squared_norm(d));
-        return {(1 / (distance > 1e-300 ? distance : 1e-300)) * d, distance - radius, distance};
+    template <class T>
+    RECOAT_HD MeetingOf<T> meet(Vec3Of<T> c, T radius) const {
+        const Vec3Of<T> closest = {clamped(c.x, T(lower.x), T(upper.x)), clamped(c.y, T(lower.y), T(upper.y)),
+                                   clamped(c.z, T(lower.z), T(upper.z))};
+        return meeting(closest - c, radius);
     }
-
-private:
-    static RECOAT_HD double clamp(double x, double lo, double hi) { return x < lo ? lo : (x > hi ? hi : x); }
+    RECOAT_HD Meeting meet(Vec3 centre, double radius) const { return meet<double>(centre, radius); }
 };
 
 /// The second partner is a wall: infinite mass and radius, its own velocity.

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "solver/execution/instruction_set.hpp"
+
 namespace recoat {
 
 /// Where loops run.
@@ -12,6 +14,7 @@ struct Resources {
     Backend backend = Backend::cpu;
     int threads = 1;  ///< of the host
     int device = 0;   ///< number of the CUDA device
+    InstructionSet instructions = chosen_instruction_set();  ///< of the host's loops
 };
 
 /// As it stands in results.

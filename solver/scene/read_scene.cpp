@@ -67,6 +67,10 @@ Scene read_scene(Config config, const std::filesystem::path& folder, std::option
         scene.smallest_diameter = diameters->smallest;
         scene.largest_diameter = diameters->largest;
     }
+    constexpr std::array<std::string_view, 2> precisions = {"double", "mixed"};
+    scene.precision = config.choice_or("precision", precisions, precisions.front()) == "mixed"
+                          ? Precision::mixed
+                          : Precision::double_precision;
     scene.seed = config.integer_or("seed", 1, Range::not_negative());
     if (scene.kind == "spread") {
         read_spread_scene(config, folder, scene);
@@ -96,6 +100,7 @@ EngineSetup engine_setup(const Scene& scene, const Resources& resources) {
     setup.gravity = {0, 0, -scene.gravity};
     setup.time_step = scene.time_step;
     setup.skins = scene.skins;
+    setup.precision = scene.precision;
     setup.diameter = scene.diameter;
     setup.y_min = 0;
     setup.y_period = scene.y_period;

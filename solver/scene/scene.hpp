@@ -67,6 +67,7 @@ struct Scene {
     double time_step = 0;             ///< [s]
     bool time_step_is_automatic = false;
     ListSkins skins;
+    Precision precision = Precision::double_precision;
     std::int64_t seed = 1;
     double y_period = 0;  ///< y runs from 0 to it; 0: not periodic [m]
     Vec3 domain_lower, domain_upper;

@@ -49,7 +49,7 @@ double any_separation(std::mt19937_64& random) {
 TEST(Attraction, FollowsTheFourZones) {
     const Coefficients c = pair_coefficients();
     EXPECT_DOUBLE_EQ(attraction.force(-1e-9, c), c.attraction_contact);
-    EXPECT_DOUBLE_EQ(attraction.force(0, c), c.attraction_gap);
+    EXPECT_DOUBLE_EQ(attraction.force(0.0, c), c.attraction_gap);
     EXPECT_DOUBLE_EQ(attraction.force(0.9 * s_min, c), c.attraction_gap);
     EXPECT_DOUBLE_EQ(attraction.force(2 * s_min, c), c.attraction_gap / 4);
     EXPECT_DOUBLE_EQ(attraction.force(1e-8, c), c.attraction_gap * (s_min / 1e-8) * (s_min / 1e-8));
@@ -60,7 +60,7 @@ TEST(Attraction, EndsAtTheCutOff) {
     EXPECT_GT(attraction.force(s_max, c), 0);
     EXPECT_EQ(attraction.force(std::nextafter(s_max, 1), c), 0);
     EXPECT_EQ(attraction.well(s_max, c), 0);
-    EXPECT_EQ(attraction.well(1, c), 0);
+    EXPECT_EQ(attraction.well(1.0, c), 0);
     EXPECT_EQ(attraction.mean(1.5 * s_max, 1.2 * s_max, c), 0);
 }
 
@@ -131,7 +131,7 @@ TEST(Attraction, WellHasNoSteps) {
         EXPECT_LE(drop, 2 * gap * c.attraction_gap * (1 + 1e-6)) << s;
     }
     // The force jumps where contact begins under stiffness scaling, and nowhere else within the range.
-    EXPECT_NEAR(attraction.force(-1e-20, c) / attraction.force(0, c), 0.0630957, 1e-6);
+    EXPECT_NEAR(attraction.force(-1e-20, c) / attraction.force(0.0, c), 0.0630957, 1e-6);
     EXPECT_NEAR(attraction.force(s_min * (1 - 1e-12), c) / attraction.force(s_min * (1 + 1e-12), c), 1, 1e-11);
 }
 
@@ -148,7 +148,7 @@ TEST(Attraction, EscapeSpeeds) {
     for (const auto& [bond, speed] : table) {
         const EqualSizes sizes = equal_sizes(paper_model(0.001, bond), paper_radius);
         for (const Coefficients& c : {sizes.pair, sizes.wall})
-            EXPECT_NEAR(std::sqrt(2 * attraction.well(0, c) * c.inverse_mass), speed, 3e-6 * speed);
+            EXPECT_NEAR(std::sqrt(2 * attraction.well(0.0, c) * c.inverse_mass), speed, 3e-6 * speed);
     }
 }
 

@@ -67,8 +67,8 @@ TEST(Hertz, DashpotIsThatOfThePaper) {
     const double dashpot = 2 * std::sqrt(5.0 / 6.0) * 0.279997993335 * std::sqrt(stiffness * mass);
     const double quarter = std::pow(overlap, 0.25);
     // Approach adds to the repulsion, departure takes from it.
-    EXPECT_NEAR(free_hertz.viscous(0, quarter, rate, c), -dashpot * rate, 1e-11 * dashpot * 0.02);
-    EXPECT_NEAR(free_hertz.viscous(0, quarter, -rate, c), dashpot * rate, 1e-11 * dashpot * 0.02);
+    EXPECT_NEAR(free_hertz.viscous(0.0, quarter, rate, c), -dashpot * rate, 1e-11 * dashpot * 0.02);
+    EXPECT_NEAR(free_hertz.viscous(0.0, quarter, -rate, c), dashpot * rate, 1e-11 * dashpot * 0.02);
 }
 
 TEST(Hertz, ClippingForbidsAnAttractiveSum) {

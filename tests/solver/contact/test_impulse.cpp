@@ -39,7 +39,7 @@ double energy_error(double s0, double u, double force, double dt, const Coeffici
     // (m*/2)(u+^2 - u*^2) as a product, which does not cancel.
     const double gained = -0.5 * force * dt * (u + after);
     const double released = attraction.well(s1, c) - attraction.well(s0, c);
-    return std::fabs(gained - released) / attraction.well(0, c);
+    return std::fabs(gained - released) / attraction.well(0.0, c);
 }
 
 // (m*/2)(u+^2 - u*^2) = G(s1) - G(s0) [docs/physics.md section 2.5], for slow steps across the jump of the force at
@@ -62,7 +62,7 @@ TEST(Impulse, BracketedSecantKeepsTheEnergyOfAPairAtLargeSteps) {
     for (const double dt : {2e-8, 1e-7, 2e-7})
         for (const double bond : {5.0, 50.0, 400.0}) {
             const Coefficients c = equal_sizes(paper_model(0.001, bond), paper_radius).pair;
-            const BracketedImpulse impulse{attraction, dt};
+            const BracketedImpulse<> impulse{attraction, dt};
             for (const Case& k : cases(2)) {
                 const double force = impulse(k.separation, k.rate, c);
                 ASSERT_LT(energy_error(k.separation, k.rate, force, dt, c), 1e-12)
@@ -74,7 +74,7 @@ TEST(Impulse, BracketedSecantKeepsTheEnergyOfAPairAtLargeSteps) {
 TEST(Impulse, BothSolversSolveTheSameEquation) {
     const Coefficients c = equal_sizes(paper_model(0.001, 400), paper_radius).pair;
     const FixedPointImpulse<3> three{attraction, 2e-8};
-    const BracketedImpulse bracketed{attraction, 2e-8};
+    const BracketedImpulse<> bracketed{attraction, 2e-8};
     const double b = 0.5 * 4e-16 * c.inverse_mass;
     for (const Case& k : cases(3)) {
         const double force = bracketed(k.separation, k.rate, c);
@@ -88,19 +88,19 @@ TEST(Impulse, BothSolversSolveTheSameEquation) {
 // At rest within the range a particle must begin to move, and deep in contact the force is the constant one.
 TEST(Impulse, HasNoDeadZones) {
     const Coefficients c = equal_sizes(paper_model(0.001, 50), paper_radius).pair;
-    const BracketedImpulse bracketed{attraction, 2e-8};
+    const BracketedImpulse<> bracketed{attraction, 2e-8};
     const FixedPointImpulse<3> fixed{attraction, 2e-8};
-    EXPECT_NEAR(fixed(5e-11, 0, c), c.attraction_gap, 1e-12 * c.attraction_gap);
-    EXPECT_NEAR(bracketed(5e-11, 0, c), c.attraction_gap, 1e-12 * c.attraction_gap);
+    EXPECT_NEAR(fixed(5e-11, 0.0, c), c.attraction_gap, 1e-12 * c.attraction_gap);
+    EXPECT_NEAR(bracketed(5e-11, 0.0, c), c.attraction_gap, 1e-12 * c.attraction_gap);
     EXPECT_NEAR(fixed(-1e-8, 0.01, c), c.attraction_contact, 1e-12 * c.attraction_contact);
     EXPECT_NEAR(bracketed(-1e-8, 0.01, c), c.attraction_contact, 1e-12 * c.attraction_contact);
-    EXPECT_EQ(fixed(2e-7, 0, c), 0);
-    EXPECT_EQ(bracketed(2e-7, 0, c), 0);
+    EXPECT_EQ(fixed(2e-7, 0.0, c), 0);
+    EXPECT_EQ(bracketed(2e-7, 0.0, c), 0);
 }
 
 TEST(Impulse, ExplicitTakesTheForceOfTheStart) {
     const Coefficients c = equal_sizes(paper_model(0.001, 50), paper_radius).pair;
-    const ExplicitImpulse impulse{attraction, 2e-8};
+    const ExplicitImpulse<> impulse{attraction, 2e-8};
     for (const Case& k : cases(4)) ASSERT_EQ(impulse(k.separation, k.rate, c), attraction.force(k.separation, c));
 }
 
@@ -108,7 +108,7 @@ TEST(Impulse, ExplicitTakesTheForceOfTheStart) {
 TEST(Impulse, PredictionCorrectionWorksOverThePredictedTravel) {
     const double dt = 2e-8;
     const Coefficients c = equal_sizes(paper_model(0.001, 50), paper_radius).pair;
-    const PredictionCorrectionImpulse impulse{attraction, dt};
+    const PredictionCorrectionImpulse<> impulse{attraction, dt};
     int reflected = 0;
     for (const Case& k : cases(5)) {
         const double force = impulse(k.separation, k.rate, c);

@@ -43,29 +43,29 @@ TEST(Rolling, ProjectionNeverReversesTheSpin) {
 TEST(Rolling, AtRestStaysAtRest) {
     EXPECT_EQ(rolling.project({}, 1e-10, inertia, step), (Vec3{}));
     EXPECT_EQ(rolling.project({}, 0, inertia, step), (Vec3{}));
-    EXPECT_EQ(rolling.relative_torque({}, {0, 0, 1}, 1e-10, inertia, step), (Vec3{}));
+    EXPECT_EQ(rolling.relative_torque(Vec3{}, Vec3{0, 0, 1}, 1e-10, inertia, step), (Vec3{}));
 }
 
 TEST(Rolling, WithoutLoadNothingIsLost) {
     const Vec3 spin = {1, 2, 3};
     EXPECT_EQ(rolling.project(spin, 0, inertia, step), spin);
-    EXPECT_EQ(norm(rolling.relative_torque(spin, {0, 0, 1}, 0, inertia, step)), 0);
+    EXPECT_EQ(norm(rolling.relative_torque(spin, Vec3{0, 0, 1}, 0.0, inertia, step)), 0);
 }
 
 TEST(Rolling, RelativeTorqueOpposesRollingButNotTwist) {
     const double load = 25e-6 * 3e-6;
-    const Vec3 torque = rolling.relative_torque({3000, 4000, 1e5}, {0, 0, 1}, load, inertia, step);
+    const Vec3 torque = rolling.relative_torque(Vec3{3000, 4000, 1e5}, Vec3{0, 0, 1}, load, inertia, step);
     EXPECT_NEAR(norm(torque), 0.01 * load, 1e-13 * 0.01 * load);
     EXPECT_NEAR(torque.x, -0.6 * 0.01 * load, 1e-13 * load);
     EXPECT_NEAR(torque.y, -0.8 * 0.01 * load, 1e-13 * load);
     EXPECT_EQ(torque.z, 0);
-    EXPECT_EQ(norm(rolling.relative_torque({0, 0, 1e5}, {0, 0, 1}, load, inertia, step)), 0);
+    EXPECT_EQ(norm(rolling.relative_torque(Vec3{0, 0, 1e5}, Vec3{0, 0, 1}, load, inertia, step)), 0);
 }
 
 TEST(Rolling, RelativeTorqueStopsWithinTheStepAtMost) {
     const Vec3 spin = {1e-3, 0, 0};
-    const double load = 1;  // far more than is needed
-    const Vec3 torque = rolling.relative_torque(spin, {0, 0, 1}, load, inertia, step);
+    const double load = 1.0;  // far more than is needed
+    const Vec3 torque = rolling.relative_torque(spin, Vec3{0, 0, 1}, load, inertia, step);
     const Vec3 after = spin + (step / inertia) * torque;
     EXPECT_NEAR(norm(after), 0, 1e-15 * 1e-3 * 10);
 }

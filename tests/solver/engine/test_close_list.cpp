@@ -114,7 +114,8 @@ TEST(CloseList, HoldsEveryPairAndWallWithinRange) {
 
 TEST(CloseList, IncidenceNamesEveryContactOfAParticleInOrder) {
     Bed bed(1);
-    const Contacts made = bed.list();
+    Contacts made = bed.list();
+    list_incidence(bed.space, made, bed.position.size());
     std::size_t entries = 0;
     for (std::size_t i = 0; i < bed.position.size(); ++i) {
         const auto first = static_cast<std::size_t>(made.incidence_begin[i]);

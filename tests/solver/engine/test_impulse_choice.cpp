@@ -26,7 +26,7 @@ double largest_error(const ImpulseChoice& choice, const Coefficients& c, double 
         const double gained = -0.5 * force * dt * (u + after);
         worst = std::max(worst, std::fabs(gained - attraction.well(s1, c) + attraction.well(s0, c)));
     }
-    return worst / attraction.well(0, c);
+    return worst / attraction.well(0.0, c);
 }
 
 // Whatever solver the step and the strength call for, it must be good enough.
@@ -45,9 +45,9 @@ TEST(ImpulseChoice, TakesTheSchemeAskedFor) {
     ContactModel model = paper_model(0.001, 50);
     const EqualSizes sizes = equal_sizes(model, paper_radius);
     model.scheme = CohesionScheme::explicit_force;
-    EXPECT_TRUE(std::holds_alternative<ExplicitImpulse>(choose_impulse(model, 2e-8, sizes, paper_radius)));
+    EXPECT_TRUE(std::holds_alternative<ExplicitImpulse<>>(choose_impulse(model, 2e-8, sizes, paper_radius)));
     model.scheme = CohesionScheme::prediction_correction;
-    EXPECT_TRUE(std::holds_alternative<PredictionCorrectionImpulse>(choose_impulse(model, 2e-8, sizes, paper_radius)));
+    EXPECT_TRUE(std::holds_alternative<PredictionCorrectionImpulse<>>(choose_impulse(model, 2e-8, sizes, paper_radius)));
 }
 
 // The contraction grows as the square of the step and of the inverse radius: the smallest particles decide.
@@ -56,8 +56,8 @@ TEST(ImpulseChoice, SmallParticlesNeedTheStrongerSolver) {
     const AnySizes sizes = any_sizes(model);
     const ImpulseChoice large = choose_impulse(model, 2e-8, sizes, paper_radius);
     const ImpulseChoice small = choose_impulse(model, 2e-8, sizes, paper_radius / 10);
-    EXPECT_FALSE(std::holds_alternative<BracketedImpulse>(large));
-    EXPECT_TRUE(std::holds_alternative<BracketedImpulse>(small));
+    EXPECT_FALSE(std::holds_alternative<BracketedImpulse<>>(large));
+    EXPECT_TRUE(std::holds_alternative<BracketedImpulse<>>(small));
     const Coefficients pair = sizes.of_pair(paper_radius / 10, paper_radius / 10);
     EXPECT_LT(largest_error(small, pair, 2e-8), 1e-4);
     EXPECT_NEAR(impulse_contraction(pair, model.minimum_separation, 2e-8) /

@@ -37,23 +37,23 @@ TEST(PlaneShape, MeetsAlongItsNormal) {
 
 TEST(BoxShape, MeetsFacesEdgesAndCorners) {
     const BoxShape box(unit_box());
-    const Meeting face = box.meet({0.5, 0.5, 3}, 1);
+    const Meeting face = box.meet({0.5, 0.5, 3}, 1.0);
     EXPECT_NEAR(face.separation, 1, 1e-14);
     expect_near(face.normal, {0, 0, -1});
-    const Meeting edge = box.meet({4, 0.5, 5}, 1);
+    const Meeting edge = box.meet({4, 0.5, 5}, 1.0);
     EXPECT_NEAR(edge.separation, 4, 1e-14);
     expect_near(edge.normal, {-0.6, 0, -0.8});
-    const Meeting corner = box.meet({-1, -2, -2}, 1);
+    const Meeting corner = box.meet({-1, -2, -2}, 1.0);
     EXPECT_NEAR(corner.separation, 2, 1e-14);
     expect_near(corner.normal, {1.0 / 3, 2.0 / 3, 2.0 / 3});
 }
 
 TEST(BoxShape, MayBeInfinite) {
     const BoxShape blade(unit_box({0, -infinite, 0.5}, {1, infinite, infinite}));
-    const Meeting side = blade.meet({-2, 1e6, 40}, 1);
+    const Meeting side = blade.meet({-2, 1e6, 40}, 1.0);
     EXPECT_NEAR(side.separation, 1, 1e-14);
     expect_near(side.normal, {1, 0, 0});
-    const Meeting lower_edge = blade.meet({-3, -5, -3.5}, 1);
+    const Meeting lower_edge = blade.meet({-3, -5, -3.5}, 1.0);
     EXPECT_NEAR(lower_edge.separation, 4, 1e-14);
     expect_near(lower_edge.normal, {0.6, 0, 0.8});
 }

@@ -1,0 +1,11 @@
+// clang-format off: the types of the set come first
+#include "solver/execution/simd.hpp"
+#include "solver/engine/tile_kernels.hpp"
+
+#define RECOAT_TILE_SET Baseline
+
+namespace recoat {
+
+RECOAT_FOR_EACH_TILE_VARIANT(RECOAT_TILE_KERNELS_OF, double)
+
+}  // namespace recoat

@@ -1,0 +1,336 @@
+#include "solver/engine/tile_stepper.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include <omp.h>
+
+#include "solver/engine/limits.hpp"
+#include "solver/engine/tile_plan.hpp"
+#include "solver/engine/tile_work.hpp"
+#include "solver/execution/instruction_set.hpp"
+
+namespace recoat {
+
+namespace {
+
+template <class Variant>
+TileKernels<Variant> kernels_of(InstructionSet set) {
+#if defined(__x86_64__)
+    if (set == InstructionSet::avx512) return tile_kernels<Avx512, Variant>();
+    if (set == InstructionSet::avx2) return tile_kernels<Avx2, Variant>();
+#endif
+    return tile_kernels<Baseline, Variant>();
+}
+
+template <class Variant>
+class Stepper final : public TileStepper {
+public:
+    using Real = typename Variant::Real;
+    static constexpr int numbers = SumLayout<Variant>::size;
+
+    Stepper(const EngineSetup& setup, double radius, double smallest)
+        : setup_(setup),
+          kernels_(kernels_of<Variant>(setup.resources.instructions)),
+          threads_(std::max(1, setup.resources.threads)),
+          fastest_(limits::travel_per_step * smallest / setup.time_step) {
+        const bool by_radius = setup.model.rolling_length != RollingLength::reduced_radius;
+        const double length = setup.model.rolling_length == RollingLength::diameter ? 2 : 1;
+        set_sizes(radius, smallest);
+        work_.law = law_of<Real>(contact_law<Variant::cohesive>(setup.model));
+        work_.gravity = setup.gravity;
+        work_.y_period = setup.y_period;
+        work_.inverse_period = setup.y_period > 0 ? 1 / setup.y_period : 0;
+        work_.time_step = setup.time_step;
+        work_.radius_arm = setup.model.lever_arm == LeverArm::radius;
+        work_.own_rolling_length = by_radius ? length : 0;
+        work_.own_rolling_constant = by_radius ? 0 : 1;
+    }
+
+    void begin(Snapshot& s) override {
+        snapshot_ = &s;
+        walls_ = s.walls.now();
+        anchors_ = s.walls.anchors();
+        plan_.make(s, numbers);
+        sums_.assign(numbers * s.particles.size(), 0.0);
+        tallies_.resize(plan_.parts().size());
+        lend_particles(s);
+        lend_contacts(s);
+    }
+
+    void step(StepControl& control) override {
+        place_walls(control.step);
+        std::fill(tallies_.begin(), tallies_.end(), TileTally{});
+        const auto parts = static_cast<int>(plan_.parts().size());
+        if (threads_ == 1 || parts == 1) {
+            step_of_thread(0, parts, [] {});
+        } else {
+            const int threads = std::min(threads_, parts);
+#pragma omp parallel num_threads(threads)
+            {
+                const int t = omp_get_thread_num(), count = omp_get_num_threads();
+                step_of_thread(t * parts / count, (t + 1) * parts / count, [] {
+#pragma omp barrier
+                });
+            }
+        }
+        for (const TileTally& tally : tallies_) {
+            control.peak[0] = std::max(control.peak[0], tally.largest_overlap);
+            control.peak[1] = std::max(control.peak[1], tally.largest_square);
+        }
+        if (!(control.peak[1] < fastest_ * fastest_)) control.peak[1] = std::numeric_limits<double>::infinity();
+        control.peak[2] = control.peak[1];
+    }
+
+    void end() override {
+        if constexpr (Variant::single) return_singles(*snapshot_);
+        snapshot_ = nullptr;
+    }
+
+private:
+    void set_sizes(double radius, double smallest) {
+        const auto real = [](double x) { return static_cast<Real>(x); };
+        const auto& model = setup_.model;
+        const auto scaled = [&](const ContactScale& s) {
+            return ContactScaleOf<Real>{real(s.modulus),
+                                        real(s.shear_modulus),
+                                        real(s.normal_damping),
+                                        real(s.tangential_damping),
+                                        real(s.attraction_gap),
+                                        real(s.attraction_contact),
+                                        real(s.attraction_friction),
+                                        real(s.rolling_factor),
+                                        real(s.rolling_constant)};
+        };
+        const auto coefficients = [&](const Coefficients& c) {
+            return CoefficientsOf<Real>{
+                real(c.hertz),         real(c.inverse_hertz),  real(c.normal_damping),     real(c.tangential_damping),
+                real(c.inverse_mass),  real(c.attraction_gap), real(c.attraction_contact), real(c.attraction_friction),
+                real(c.rolling_length)};
+        };
+        work_.attraction = {real(model.minimum_separation), real(model.cut_off)};
+        if constexpr (Variant::equal) {
+            const EqualSizes sizes = equal_sizes(model, radius);
+            work_.sizes = {coefficients(sizes.pair), coefficients(sizes.wall), sizes.radius, sizes.mass, sizes.inertia,
+                           sizes.inverse_mass,       sizes.inverse_inertia};
+            work_.impulse = cast<Real>(choose_impulse(model, setup_.time_step, sizes, smallest));
+        } else {
+            const AnySizes sizes = any_sizes(model);
+            work_.sizes = {scaled(sizes.pair), scaled(sizes.wall), sizes.density};
+            work_.impulse = cast<Real>(choose_impulse(model, setup_.time_step, sizes, smallest));
+        }
+    }
+
+    void lend_particles(Snapshot& s) {
+        Particles& p = s.particles;
+        const auto rows = [](std::vector<Row>& array) { return reinterpret_cast<double*>(array.data()); };
+        work_.position = rows(p.position);
+        work_.velocity = rows(p.velocity);
+        work_.spin = rows(p.spin);
+        work_.acceleration = rows(p.acceleration);
+        work_.contact_velocity = rows(p.contact_velocity);
+        work_.contact_spin = rows(p.contact_spin);
+        work_.lost_rolling = s.lost_rolling.data();
+        work_.sums = sums_.data();
+        if constexpr (Variant::single) {
+            motion_.resize(8 * p.size());
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                const Row &v = p.contact_velocity[i], &w = p.contact_spin[i];
+                const double both[8] = {v.x, v.y, v.z, v.w, w.x, w.y, w.z, w.w};
+                for (std::size_t c = 0; c < 8; ++c) motion_[8 * i + c] = static_cast<float>(both[c]);
+            }
+            work_.motion = motion_.data();
+        }
+    }
+
+    void lend_contacts(Snapshot& s) {
+        Contacts& c = s.contacts;
+        work_.first = c.first.data();
+        work_.second = c.second.data();
+        work_.lost_normal = c.lost_normal.data();
+        work_.lost_tangential = c.lost_tangential.data();
+        work_.wall_work = c.wall_work.data();
+        if constexpr (Variant::single) {
+            for (std::size_t a = 0; a < 4; ++a) {
+                const std::vector<double>& from = *history(c)[a];
+                single_[a].assign(from.begin(), from.end());
+            }
+            work_.slip_x = single_[0].data();
+            work_.slip_y = single_[1].data();
+            work_.slip_z = single_[2].data();
+            work_.last_attraction = single_[3].data();
+        } else {
+            work_.slip_x = c.slip_x.data();
+            work_.slip_y = c.slip_y.data();
+            work_.slip_z = c.slip_z.data();
+            work_.last_attraction = c.attraction.data();
+        }
+        if constexpr (Variant::cohesive) {
+            near_contact_.resize(c.size());
+            for (std::vector<Real>& array : near_) array.resize(c.size());
+            work_.near = {near_contact_.data(), near_[0].data(), near_[1].data(), near_[2].data(), near_[3].data()};
+        }
+        if constexpr (Variant::relative_rolling) {
+            count_.assign(s.particles.size(), 0);
+            for (std::size_t k = 0; k < c.size(); ++k) {
+                ++count_[static_cast<std::size_t>(c.first[k])];
+                if (c.second[k] >= 0) ++count_[static_cast<std::size_t>(c.second[k])];
+            }
+            work_.contact_count = count_.data();
+        }
+    }
+
+    static std::array<std::vector<double>*, 4> history(Contacts& c) {
+        return {&c.slip_x, &c.slip_y, &c.slip_z, &c.attraction};
+    }
+
+    void return_singles(Snapshot& s) {
+        for (std::size_t i = 0; i < s.particles.size(); ++i) {
+            const float* v = motion_.data() + 8 * i;
+            s.particles.contact_velocity[i] = {v[0], v[1], v[2], v[3]};
+        }
+        for (std::size_t a = 0; a < 4; ++a)
+            std::copy(single_[a].begin(), single_[a].end(), history(s.contacts)[a]->begin());
+    }
+
+    void place_walls(std::int64_t step) {
+        for (std::size_t w = 0; w < walls_.size(); ++w) {
+            const Vec3 way = anchors_[w].way(step, setup_.time_step);
+            walls_[w].point = anchors_[w].point + way;
+            walls_[w].lower = anchors_[w].lower + way;
+            walls_[w].upper = anchors_[w].upper + way;
+        }
+    }
+
+    /// The parts [begin, end) of a step. Particles that an earlier part of another thread reaches wait for that.
+    template <class Barrier>
+    void step_of_thread(int begin, int end, const Barrier& barrier) {
+        const auto from = static_cast<std::size_t>(begin), to = static_cast<std::size_t>(end);
+        std::vector<TilePart>& parts = plan_.parts();
+        const auto inner = [&](std::size_t p) { return parts[p].first_before >= from; };
+        for (std::size_t p = from; p < to; ++p) {
+            std::fill(parts[p].near.begin(), parts[p].near.end(), 0);
+            over_tiles(parts[p], [&](TileRange tile) {
+                touch(p, tile);
+                if (inner(p)) advance(p, tile);
+            });
+        }
+        barrier();
+        for (std::size_t p = from; p < to; ++p)
+            if (!inner(p)) over_tiles(parts[p], [&](TileRange tile) { advance(p, tile); });
+        if constexpr (Variant::cohesive) {
+            barrier();
+            for (std::size_t p = from; p < to; ++p) attract(p);
+            barrier();
+            for (std::size_t p = from; p < to; ++p) {
+                absorb(p, parts[p].particles);
+                kernels_.finish(work_, parts[p].particles, tallies_[p]);
+            }
+        }
+    }
+
+    template <class Function>
+    static void over_tiles(const TilePart& part, const Function& f) {
+        for (std::size_t i = part.particles.begin; i < part.particles.end; i += TilePlan::tile)
+            f(TileRange{i, std::min(i + TilePlan::tile, part.particles.end)});
+    }
+
+    /// Contacts of the particles of `tile` with segment 0, pairs in which they are the first, or wall `segment` - 1.
+    [[nodiscard]] TileRange contacts_of(std::size_t segment, TileRange tile) const {
+        const std::int32_t* offsets = snapshot_->contacts.offsets.data() + segment * snapshot_->particles.size();
+        return {static_cast<std::size_t>(offsets[tile.begin]), static_cast<std::size_t>(offsets[tile.end])};
+    }
+
+    [[nodiscard]] const Wall* wall_of(std::size_t segment) const {
+        return segment > 0 ? &walls_[segment - 1] : nullptr;
+    }
+
+    [[nodiscard]] TileTarget target_of(TilePart& part) {
+        return {sums_.data(), part.sums.data(), static_cast<std::int32_t>(part.particles.end)};
+    }
+
+    void touch(std::size_t p, TileRange tile) {
+        TilePart& part = plan_.parts()[p];
+        for (std::size_t segment = 0; segment <= walls_.size(); ++segment) {
+            const TileRange range = contacts_of(segment, tile);
+            if (range.begin == range.end) continue;
+            const std::size_t near = contacts_of(segment, part.particles).begin + part.near[segment];
+            kernels_.contacts(work_, target_of(part), wall_of(segment), range, near, tallies_[p]);
+            part.near[segment] += tallies_[p].near;
+        }
+    }
+
+    void advance(std::size_t p, TileRange tile) {
+        absorb(p, tile);
+        kernels_.particles(work_, tile, tallies_[p]);
+    }
+
+    /// Adds what earlier parts have added up for the particles of `tile`, in the order of the parts.
+    void absorb(std::size_t p, TileRange tile) {
+        for (std::size_t q = plan_.parts()[p].first_before; q < p; ++q) {
+            TilePart& other = plan_.parts()[q];
+            const std::size_t from = std::max(tile.begin, other.particles.end), to = std::min(tile.end, other.beyond);
+            if (from >= to) continue;
+            double* sums = sums_.data() + numbers * from;
+            double* more = other.sums.data() + numbers * (from - other.particles.end);
+            for (std::size_t k = 0; k < numbers * (to - from); ++k) {
+                sums[k] += more[k];
+                more[k] = 0;
+            }
+        }
+    }
+
+    void attract(std::size_t p) {
+        TilePart& part = plan_.parts()[p];
+        for (std::size_t segment = 0; segment <= walls_.size(); ++segment) {
+            if (part.near[segment] == 0) continue;
+            const std::size_t begin = contacts_of(segment, part.particles).begin;
+            kernels_.near(work_, target_of(part), wall_of(segment), {begin, begin + part.near[segment]});
+        }
+    }
+
+    EngineSetup setup_;
+    TileKernels<Variant> kernels_;
+    int threads_;
+    double fastest_;  ///< speed beyond which a run stops [m/s]
+    TileWork<Variant> work_{};
+    Snapshot* snapshot_ = nullptr;
+    std::vector<Wall> walls_;
+    std::vector<WallAnchor> anchors_;
+    TilePlan plan_;
+    std::vector<TileTally> tallies_;
+    std::vector<double> sums_;
+    std::vector<float> motion_;
+    std::array<std::vector<float>, 4> single_;  ///< slip and attraction
+    std::vector<std::int32_t> near_contact_, count_;
+    std::array<std::vector<Real>, 4> near_;
+};
+
+template <bool equal, bool cohesive, bool relative>
+std::unique_ptr<TileStepper> with_precision(const EngineSetup& setup, double radius, double smallest) {
+    if (setup.precision == Precision::mixed)
+        return std::make_unique<Stepper<TileVariant<equal, cohesive, relative, float>>>(setup, radius, smallest);
+    return std::make_unique<Stepper<TileVariant<equal, cohesive, relative, double>>>(setup, radius, smallest);
+}
+
+template <bool equal, bool cohesive>
+std::unique_ptr<TileStepper> with_rolling(const EngineSetup& setup, double radius, double smallest) {
+    return setup.model.rolling_form == RollingForm::relative
+               ? with_precision<equal, cohesive, true>(setup, radius, smallest)
+               : with_precision<equal, cohesive, false>(setup, radius, smallest);
+}
+
+template <bool equal>
+std::unique_ptr<TileStepper> with_adhesion(const EngineSetup& setup, double radius, double smallest) {
+    return setup.model.hamaker > 0 ? with_rolling<equal, true>(setup, radius, smallest)
+                                   : with_rolling<equal, false>(setup, radius, smallest);
+}
+
+}  // namespace
+
+std::unique_ptr<TileStepper> make_tile_stepper(const EngineSetup& setup, double radius, double smallest) {
+    return radius > 0 ? with_adhesion<true>(setup, radius, smallest) : with_adhesion<false>(setup, radius, smallest);
+}
+
+}  // namespace recoat
