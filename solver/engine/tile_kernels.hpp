@@ -3,7 +3,9 @@
 #include <variant>
 
 #include "solver/engine/tile_contacts.hpp"
+#include "solver/engine/tile_near.hpp"
 #include "solver/engine/tile_particles.hpp"
+#include "solver/engine/tile_wall.hpp"
 
 namespace recoat {
 

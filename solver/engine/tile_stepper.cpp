@@ -7,22 +7,13 @@
 #include <omp.h>
 
 #include "solver/engine/limits.hpp"
+#include "solver/engine/tile_dispatch.hpp"
 #include "solver/engine/tile_plan.hpp"
-#include "solver/engine/tile_work.hpp"
-#include "solver/execution/instruction_set.hpp"
+#include "solver/engine/tile_sizes.hpp"
 
 namespace recoat {
 
 namespace {
-
-template <class Variant>
-TileKernels<Variant> kernels_of(InstructionSet set) {
-#if defined(__x86_64__)
-    if (set == InstructionSet::avx512) return tile_kernels<Avx512, Variant>();
-    if (set == InstructionSet::avx2) return tile_kernels<Avx2, Variant>();
-#endif
-    return tile_kernels<Baseline, Variant>();
-}
 
 template <class Variant>
 class Stepper final : public TileStepper {
@@ -37,7 +28,7 @@ public:
           fastest_(limits::travel_per_step * smallest / setup.time_step) {
         const bool by_radius = setup.model.rolling_length != RollingLength::reduced_radius;
         const double length = setup.model.rolling_length == RollingLength::diameter ? 2 : 1;
-        set_sizes(radius, smallest);
+        set_sizes(work_, setup, radius, smallest);
         work_.law = law_of<Real>(contact_law<Variant::cohesive>(setup.model));
         work_.gravity = setup.gravity;
         work_.y_period = setup.y_period;
@@ -89,39 +80,6 @@ public:
     }
 
 private:
-    void set_sizes(double radius, double smallest) {
-        const auto real = [](double x) { return static_cast<Real>(x); };
-        const auto& model = setup_.model;
-        const auto scaled = [&](const ContactScale& s) {
-            return ContactScaleOf<Real>{real(s.modulus),
-                                        real(s.shear_modulus),
-                                        real(s.normal_damping),
-                                        real(s.tangential_damping),
-                                        real(s.attraction_gap),
-                                        real(s.attraction_contact),
-                                        real(s.attraction_friction),
-                                        real(s.rolling_factor),
-                                        real(s.rolling_constant)};
-        };
-        const auto coefficients = [&](const Coefficients& c) {
-            return CoefficientsOf<Real>{
-                real(c.hertz),         real(c.inverse_hertz),  real(c.normal_damping),     real(c.tangential_damping),
-                real(c.inverse_mass),  real(c.attraction_gap), real(c.attraction_contact), real(c.attraction_friction),
-                real(c.rolling_length)};
-        };
-        work_.attraction = {real(model.minimum_separation), real(model.cut_off)};
-        if constexpr (Variant::equal) {
-            const EqualSizes sizes = equal_sizes(model, radius);
-            work_.sizes = {coefficients(sizes.pair), coefficients(sizes.wall), sizes.radius, sizes.mass, sizes.inertia,
-                           sizes.inverse_mass,       sizes.inverse_inertia};
-            work_.impulse = cast<Real>(choose_impulse(model, setup_.time_step, sizes, smallest));
-        } else {
-            const AnySizes sizes = any_sizes(model);
-            work_.sizes = {scaled(sizes.pair), scaled(sizes.wall), sizes.density};
-            work_.impulse = cast<Real>(choose_impulse(model, setup_.time_step, sizes, smallest));
-        }
-    }
-
     void lend_particles(Snapshot& s) {
         Particles& p = s.particles;
         const auto rows = [](std::vector<Row>& array) { return reinterpret_cast<double*>(array.data()); };

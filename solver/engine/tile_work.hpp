@@ -57,7 +57,6 @@ struct TileWork {
     bool radius_arm;              ///< arms of friction are radii, not those to the contact point
     double own_rolling_length;    ///< times the radius, plus ...
     double own_rolling_constant;  ///< ... this, multiplies the load [-]
-    double density;               ///< [kg/m3], where sizes differ
 
     double *position, *velocity, *spin, *acceleration, *contact_velocity, *contact_spin;  ///< rows of four
     float* motion;         ///< single precision: rows of contact velocity and contact spin, four numbers each

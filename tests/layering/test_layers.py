@@ -128,12 +128,28 @@ def comes_first_in_its_source(header):
     return source.exists() and includes(source)[:1] == [name(header)]
 
 
+def instruction_sets(header):
+    """Flags of the translation units that a header with vector instructions is for."""
+    sets = ["-mavx2", "-mfma", "-mavx512f", "-mavx512dq", "-mavx512bw", "-mavx512vl", "-mavx512cd"]
+    return sets if header.name.startswith("simd_") else []
+
+
+def test_loops_of_an_instruction_set_define_nothing_that_others_would_call(build):
+    """The linker keeps one of several inline functions of a name: it must never be one that only some machines run."""
+    objects = sorted((build / "solver/engine").rglob("tile_kernels_avx*.o"))
+    for file in objects:
+        symbols = subprocess.run(["nm", "-C", file], capture_output=True, text=True, check=True).stdout.splitlines()
+        defined = [line.split(maxsplit=2)[2] for line in symbols if line[17:18] in set("WVu")]
+        assert defined
+        assert [s for s in defined if "Avx" not in s and not s.startswith(("DW.ref.", "typeinfo"))] == [], file.name
+
+
 def test_every_header_compiles_alone(build):
     flags = compile_flags(build)
 
     def errors(header):
         folder = next(f for f in header.parents if f in flags)  # a folder of headers only uses that above
-        command = [*flags[folder], "-fsyntax-only", "-x", "c++", "-"]
+        command = [*flags[folder], *instruction_sets(header), "-fsyntax-only", "-x", "c++", "-"]
         done = subprocess.run(command, input=f'#include "{name(header)}"\n', cwd=build, capture_output=True, text=True, check=False)
         return done.stderr
 

@@ -1,0 +1,86 @@
+#pragma once
+
+#include "solver/engine/tile_geometry.hpp"
+#include "solver/engine/tile_scatter.hpp"
+
+namespace recoat {
+
+/// Solves the attraction of the near contacts of one kind of partner and adds up its impulses.
+template <class Set, class Variant, class Partner>
+struct NearTile {
+    using Types = TileTypes<Set, Variant>;
+    using S = typename Types::S;
+    using T = typename Types::T;
+    using Real = typename Variant::Real;
+    using Row = typename Types::Row;
+    using Work = TileWork<Variant>;
+    using Sum = SumLayout<Variant>;
+    static constexpr int width = Types::width;
+
+    const Work& w;
+    const Partner& partner;
+    TileTarget target;
+
+    template <class Impulse>
+    RECOAT_HD void operator()(const Impulse& impulse, TileRange range) const {
+        double work = 0;
+        for (std::size_t n = range.begin; n < range.end; n += width) work += pack(impulse, n, range.end);
+        if constexpr (Partner::is_wall)
+            if (range.begin < range.end) w.wall_work[std::size_t(w.near.contact[range.begin])] += work;
+    }
+
+private:
+    template <class Impulse>
+    RECOAT_HD double pack(const Impulse& impulse, std::size_t n, std::size_t end) const {
+        const int lanes = n + width <= end ? width : static_cast<int>(end - n);
+        std::int32_t i[width], j[width], contact_buffer[width];
+        const std::int32_t* contact = whole<width>(w.near.contact, n, end, contact_buffer);
+        for (int l = 0; l < width; ++l) {
+            i[l] = w.first[contact[l]];
+            j[l] = w.second[contact[l]];
+        }
+        Real buffer[width];
+        Vec3Of<T> normal = {S::load(whole<width>(w.near.normal_x, n, end, buffer)), T(Real(0)), T(Real(0))};
+        normal.y = S::load(whole<width>(w.near.normal_y, n, end, buffer));
+        normal.z = S::load(whole<width>(w.near.normal_z, n, end, buffer));
+        const T separation = S::load(whole<width>(w.near.separation, n, end, buffer));
+        const T rate = partner.closing_rate(w.velocity, i, j, normal);
+        const T force = impulse(separation, rate, partner.coefficients(radii(i, j)));
+        const T push = T(Real(w.time_step)) * force;
+        const Vec3Of<T> change = push * normal;
+        Row rows[width];
+        S::rows(change.x, change.y, change.z, T(Real(0)), rows);
+        Real forces[width];
+        S::store(forces, force);
+        const TileScatter<Set, Variant> to{target};
+        const Row opposite = S::row_of(-1, -1, -1, 1);
+        for (int l = 0; l < lanes; ++l) {
+            w.last_attraction[contact[l]] = forces[l];
+            to.add(to.first(i[l]) + Sum::attraction, rows[l]);
+            if constexpr (!Partner::is_wall) to.add(to.second(j[l]) + Sum::attraction, rows[l], opposite);
+        }
+        if constexpr (Partner::is_wall) {
+            Real power[width];
+            S::store(power, partner.wall_power(change));
+            double work = 0;
+            for (int l = 0; l < lanes; ++l) work += static_cast<double>(power[l]);
+            return work;
+        }
+        return 0;
+    }
+
+    /// What the coefficients depend on.
+    RECOAT_HD TileMeeting<T> radii(const std::int32_t* i, const std::int32_t* j) const {
+        TileMeeting<T> m;
+        Real a[width], b[width];
+        for (int l = 0; l < width; ++l) {
+            a[l] = b[l] = static_cast<Real>(w.position[4 * std::size_t(i[l]) + 3]);
+            if constexpr (!Partner::is_wall) b[l] = static_cast<Real>(w.position[4 * std::size_t(j[l]) + 3]);
+        }
+        m.first_radius = S::load(a);
+        m.second_radius = S::load(b);
+        return m;
+    }
+};
+
+}  // namespace recoat

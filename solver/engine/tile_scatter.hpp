@@ -1,0 +1,29 @@
+#pragma once
+
+#include "solver/engine/tile_work.hpp"
+#include "solver/execution/simd.hpp"
+
+namespace recoat {
+
+/// Adds rows to the sums of the partners of one pack of contacts, contact by contact in their order.
+template <class Set, class Variant>
+struct TileScatter {
+    using S = Simd<Set>;
+    using Row = typename S::Row;
+    static constexpr int size = SumLayout<Variant>::size;
+
+    const TileTarget& target;
+
+    RECOAT_HD double* first(std::int32_t i) const { return target.sums + size * std::size_t(i); }
+    RECOAT_HD double* second(std::int32_t j) const {
+        double* base = j < target.split ? target.sums + size * std::ptrdiff_t(j)
+                                        : target.beyond + size * std::ptrdiff_t(j - target.split);
+        return base;
+    }
+    static RECOAT_HD void add(double* sum, Row row) { S::store(sum, S::add(S::row(sum), row)); }
+    static RECOAT_HD void add(double* sum, Row row, Row factor) {
+        S::store(sum, S::multiply_add(row, factor, S::row(sum)));
+    }
+};
+
+}  // namespace recoat
