@@ -8,7 +8,7 @@ packages=(
     build-essential cmake ninja-build ccache git clang-format clang-tidy
     libeigen3-dev libhdf5-dev libyaml-cpp-dev nlohmann-json3-dev libcli11-dev libfmt-dev libgtest-dev libgmock-dev libxsimd-dev
     libcgal-dev libgmp-dev libmpfr-dev
-    libopenvdb-dev libtbb-dev libboost-iostreams-dev libblosc-dev libimath-dev zlib1g-dev libexpat1-dev
+    libopenvdb-dev libtbb-dev libboost-iostreams-dev libblosc-dev libimath-dev zlib1g-dev libbz2-dev liblzma-dev libzstd-dev libexpat1-dev
     python3 python3-venv
     libegl1 libegl-mesa0 libgl1 libgl1-mesa-dri libxrender1 # off-screen rendering of the layer
 )

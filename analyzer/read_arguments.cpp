@@ -1,5 +1,6 @@
 #include "analyzer/read_arguments.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <string_view>
 
@@ -41,16 +42,49 @@ StepChoice step_choice(const std::string& text) {
     throw InputError(fmt::format("--step: \"{}\" is no time step; write last, first or its number", text));
 }
 
+double radius(std::string_view text) {
+    const double value = length("--radius", text);
+    if (value > 0) return value;
+    throw InputError(fmt::format("--radius: \"{}\" is not above zero; give a length", text));
+}
+
+/// "25um", or "TYPE=25um,TYPE=15um".
+void read_radius(std::string_view text, ReadOptions& options) {
+    if (text.find('=') == std::string_view::npos) {
+        options.radius = radius(text);
+        return;
+    }
+    while (!text.empty()) {
+        const std::string_view part = text.substr(0, text.find(','));
+        const std::size_t sign = part.find('=');
+        if (sign == std::string_view::npos || sign == 0) {
+            throw InputError(
+                fmt::format("--radius: \"{}\" is not TYPE=RADIUS; write e.g. 1=25um,2=15um, or one radius for all", part));
+        }
+        options.radius_of_type[std::string(trimmed(part.substr(0, sign)))] = radius(part.substr(sign + 1));
+        text.remove_prefix(std::min(part.size() + 1, text.size()));
+    }
+}
+
 }  // namespace
 
 bool all_steps(std::string_view step) { return step == "all"; }
 
 void add_read_arguments(CLI::App& command, ReadArguments& arguments) {
     command.add_option("--length-unit", arguments.length_unit, "Unit of length of a file that has none: m, mm, um, nm");
-    command.add_option("--radius", arguments.radius, "Radius of all particles of a file without, e.g. 25um");
+    command.add_option("--radius", arguments.radius,
+                       "Radius of all particles of a file without, e.g. 25um, or of each type, e.g. 1=25um,2=15um");
     auto* radius = command.add_option("--radius-column", arguments.radius_column, "Column or array of the radius");
     command.add_option("--diameter-column", arguments.diameter_column, "Column or array of the diameter")
         ->excludes(radius);
+    auto* kept = command.add_option("--type", arguments.types, "Keep the particles of these types only, e.g. 1,3");
+    kept->delimiter(',')->allow_extra_args(false);
+    command.add_option("--without-type", arguments.types_left_out, "Leave out the particles of these types, e.g. a plate")
+        ->delimiter(',')
+        ->allow_extra_args(false)
+        ->excludes(kept);
+    command.add_option("--type-column", arguments.type_column, "Column or array of the type");
+    command.add_flag("--skip-size-zero", arguments.skip_size_zero, "Leave out particles of size 0");
     command.add_option("--step", arguments.step,
                        "Time step of a file with several: last, first, its number, or (metrics, describe) all");
 }
@@ -71,12 +105,11 @@ ReadOptions read_options(const ReadArguments& arguments, ColumnNames columns) {
     if (!arguments.length_unit.empty()) {
         options.length_unit = length("--length-unit", "1 " + arguments.length_unit);
     }
-    if (!arguments.radius.empty()) {
-        options.radius = length("--radius", arguments.radius);
-        if (!(*options.radius > 0)) {
-            throw InputError(fmt::format("--radius: \"{}\" is not above zero; give a length", arguments.radius));
-        }
-    }
+    if (!arguments.type_column.empty()) options.columns.type = arguments.type_column;
+    if (!arguments.radius.empty()) read_radius(arguments.radius, options);
+    options.types = arguments.types;
+    options.types_left_out = arguments.types_left_out;
+    options.leave_out_size_zero = arguments.skip_size_zero;
     options.step = step_choice(arguments.step);
     return options;
 }

@@ -14,7 +14,9 @@ namespace recoat {
 
 /// Options of every command that reads particles, as texts.
 struct ReadArguments {
-    std::string length_unit, radius, radius_column, diameter_column, step = "last";
+    std::string length_unit, radius, radius_column, diameter_column, type_column, step = "last";
+    std::vector<std::string> types, types_left_out;
+    bool skip_size_zero = false;
 };
 
 /// Options that say where a layer lies, as texts.

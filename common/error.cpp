@@ -26,4 +26,9 @@ int run_program(std::string_view program, const std::function<int()>& body) noex
     return ending.code;
 }
 
+void warn(std::string_view program, std::string_view sentence) noexcept {
+    std::fprintf(stderr, "%.*s: warning: %.*s\n", static_cast<int>(program.size()), program.data(),
+                 static_cast<int>(sentence.size()), sentence.data());
+}
+
 }  // namespace recoat

@@ -31,4 +31,7 @@ Ending ending_of(const std::function<int()>& body) noexcept;
 /// "program: error: sentence".
 int run_program(std::string_view program, const std::function<int()>& body) noexcept;
 
+/// Writes "program: warning: sentence" to standard error: what the user should know although all went well.
+void warn(std::string_view program, std::string_view sentence) noexcept;
+
 }  // namespace recoat

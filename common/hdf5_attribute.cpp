@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <memory>
 
 #include <fmt/format.h>
 #include <hdf5.h>
@@ -48,6 +49,15 @@ Handle open_single(hid_t object, const std::string& place, const std::string& na
         fail(place, name, "it holds another kind of value than expected; the file is of another kind or damaged");
     }
     return attribute;
+}
+
+/// A text of variable length, which the library allocates.
+std::string variable_text(const Handle& attribute, const Handle& type, const std::string& place,
+                          const std::string& name) {
+    char* value = nullptr;
+    if (H5Aread(attribute.id(), type.id(), &value) < 0) fail(place, name, "reading failed; the file seems damaged");
+    const std::unique_ptr<char, decltype(&H5free_memory)> owner(value, H5free_memory);
+    return value == nullptr ? std::string() : std::string(value);
 }
 
 }  // namespace
@@ -108,8 +118,7 @@ std::string Group::text_attribute(const std::string& name) const {
     const LibraryLock lock;
     const Handle attribute = open_single(handle_.id(), place_, name, H5T_STRING);
     const Handle type(H5Aget_type(attribute.id()), H5Tclose);
-    if (H5Tis_variable_str(type.id()) > 0)
-        fail(place_, name, "its length is variable, which is not how it is written here");
+    if (H5Tis_variable_str(type.id()) > 0) return variable_text(attribute, type, place_, name);
     std::string text(H5Tget_size(type.id()), '\0');
     if (H5Aread(attribute.id(), type.id(), text.data()) < 0)
         fail(place_, name, "reading failed; the file seems damaged");

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "analyzer/commands/commands.hpp"
+#include "analyzer/commands/warnings.hpp"
 #include "analyzer/output/particle_file.hpp"
 #include "analyzer/read_arguments.hpp"
 #include "analyzer/readers/reader.hpp"
@@ -25,8 +26,9 @@ void add_convert_command(CLI::App& app) {
     command->add_option("--format", arguments->format, "csv, vtp, lammps-dump or vtkhdf, whatever the ending");
     add_read_arguments(*command, arguments->read);
     command->callback([arguments] {
-        write_particle_file(arguments->out, arguments->format,
-                            read_particles(arguments->file, read_options(arguments->read)));
+        const Source source = read_particles(arguments->file, read_options(arguments->read));
+        Warnings().show(source);
+        write_particle_file(arguments->out, arguments->format, source);
     });
 }
 

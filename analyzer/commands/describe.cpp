@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/commands/commands.hpp"
+#include "analyzer/commands/warnings.hpp"
 #include "analyzer/output/description.hpp"
 #include "analyzer/read_arguments.hpp"
 #include "analyzer/readers/reader.hpp"
@@ -23,9 +24,12 @@ void describe_all(const Arguments& arguments) {
     ReadArguments read = arguments.read;
     read.step = "last";
     const Recording recording(arguments.file, read_options(read));
+    recording.require_whole();
     std::string text;
+    Warnings warnings;
     for (std::size_t index = 0; index < recording.steps().size(); ++index) {
         const Source source = recording.read(index);
+        warnings.show(source);
         const std::string separator = text.empty() ? "" : arguments.as_json ? "," : "\n";
         text += fmt::format("{}{}", separator, describe_source(source, arguments.file, arguments.as_json));
     }
@@ -39,6 +43,7 @@ void describe(const Arguments& arguments) {
     }
     if (all_steps(arguments.read.step)) return describe_all(arguments);
     const Source source = read_particles(arguments.file, read_options(arguments.read));
+    Warnings().show(source);
     std::fputs(describe_source(source, arguments.file, arguments.as_json).c_str(), stdout);
 }
 

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
 
+#include "analyzer/commands/warnings.hpp"
 #include "analyzer/readers/frame.hpp"
 #include "analyzer/readers/reader.hpp"
 
@@ -31,6 +32,7 @@ Config load_config(const LayerArguments& arguments) {
 PreparedLayer prepare_layer(const LayerArguments& arguments) {
     const Config config = load_config(arguments);
     Source source = read_particles(arguments.file, read_options(arguments.read, read_column_names(config)));
+    Warnings().show(source);
     complete_frame(source);
     AnalysisConfig resolved = read_analysis_config(config, source.info);
     lower_to_base(source, resolved.base);
@@ -44,12 +46,15 @@ void for_each_step(const LayerArguments& arguments,
     ReadArguments read = arguments.read;
     read.step = "last";
     const Recording recording(arguments.file, read_options(read, read_column_names(config)));
+    recording.require_whole();
     const std::size_t steps = recording.steps().size();
     Source last = recording.read(steps - 1);
     complete_frame(last);
     const AnalysisConfig resolved = read_analysis_config(config, last.info);
+    Warnings warnings;
     for (std::size_t index = 0; index < steps; ++index) {
         Source source = recording.read(index);
+        warnings.show(source);
         lower_to_base(source, resolved.base);
         Layer layer = make_layer(source, resolved);
         take(recording.steps()[index], {std::move(layer), resolved, std::move(source)});

@@ -12,12 +12,14 @@ namespace {
 
 constexpr std::array<std::string_view, 5> radius_names = {"radius", "r", "radii", "rad", "particle_radius"};
 constexpr std::array<std::string_view, 4> diameter_names = {"diameter", "d", "diam", "particle_diameter"};
+constexpr std::array<std::string_view, 9> type_names = {"type",     "types",       "species",       "element",    "material",
+                                                        "matid",    "material_id", "particle_type", "particletype"};
 constexpr std::array<std::string_view, 4> id_names = {"id", "ids", "particle_id", "particleid"};
 // The names with "lin" and "ang" are those of Yade and of LIGGGHTS.
-constexpr std::array<std::string_view, 6> velocity_names = {"v",         "velocity",     "vel",
-                                                            "linvelvec", "velocity_lin", "linear_velocity"};
-constexpr std::array<std::string_view, 6> angular_velocity_names = {"omega",     "angularvelocity", "angular_velocity",
-                                                                    "angvelvec", "velocity_ang",    "w"};
+constexpr std::array<std::string_view, 8> velocity_names = {
+    "v", "velocity", "vel", "linvelvec", "velocity_lin", "linear_velocity", "velo", "velocities"};
+constexpr std::array<std::string_view, 7> angular_velocity_names = {
+    "omega", "angularvelocity", "angular_velocity", "angvelvec", "velocity_ang", "w", "vrot"};
 
 std::optional<std::size_t> first_of(std::span<const std::string> names, std::span<const std::string_view> wanted) {
     for (const std::string_view name : wanted) {
@@ -67,6 +69,14 @@ std::optional<VectorColumns> find_velocity(std::span<const std::string> names) {
 
 std::optional<VectorColumns> find_angular_velocity(std::span<const std::string> names) {
     return first_vector_of(names, angular_velocity_names);
+}
+
+std::optional<std::size_t> find_type(std::span<const std::string> names, const ColumnNames& chosen,
+                                     const std::function<void(const std::string&)>& fail) {
+    if (chosen.type.empty()) return first_of(names, type_names);
+    const auto column = find_column(names, chosen.type);
+    if (!column) fail(fmt::format("there is no column \"{}\"; the file has: {}", chosen.type, quotable_list(names)));
+    return column;
 }
 
 std::optional<SizeColumn> find_size(std::span<const std::string> names, const ColumnNames& chosen,

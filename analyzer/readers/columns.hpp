@@ -35,6 +35,11 @@ using VectorColumns = std::array<std::size_t, 3>;
 /// The columns with a usual name of the angular velocity: omegax, "AngularVelocity:0" ...
 [[nodiscard]] std::optional<VectorColumns> find_angular_velocity(std::span<const std::string> names);
 
+/// The column of the type: the one that the user chose, or that has a usual name. When there is none that the user
+/// chose, calls `fail` with the problem.
+[[nodiscard]] std::optional<std::size_t> find_type(std::span<const std::string> names, const ColumnNames& chosen,
+                                                   const std::function<void(const std::string&)>& fail);
+
 /// The column of the size: the one that the user chose, or that has a usual name of a radius or a diameter. When there
 /// is none that the user chose, calls `fail` with the problem.
 [[nodiscard]] std::optional<SizeColumn> find_size(std::span<const std::string> names, const ColumnNames& chosen,

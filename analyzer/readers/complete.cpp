@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/readers/particle_types.hpp"
 #include "common/error.hpp"
 
 namespace recoat {
@@ -43,24 +44,33 @@ void scale_lengths(Source& source, const std::string& file, const ReadOptions& o
 
 void set_radius(Source& source, const std::string& file, const ReadOptions& options) {
     const bool has_radius = !source.radius.empty() || source.position.empty();
-    if (!has_radius && !options.radius) {
+    const bool given = options.radius || !options.radius_of_type.empty();
+    if (!has_radius && !given) {
         throw InputError(
             fmt::format("{}: the file gives no size of its particles under a usual name; name the column "
-                        "(--radius-column or --diameter-column) or give one radius for all (--radius)",
+                        "(--radius-column or --diameter-column) or give one radius for all, or one for each type "
+                        "(--radius)",
                         file));
     }
-    if (!source.radius.empty() && options.radius) {
+    if (!source.radius.empty() && given) {
         throw InputError(fmt::format("{}: the file gives the size of its particles; leave the radius out", file));
     }
     if (options.radius) source.radius.assign(source.position.size(), *options.radius);
+    if (!options.radius_of_type.empty()) set_radius_of_types(source, file, options);
 }
+
+bool is_finite(Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 void check_numbers(const Source& source, const std::string& file) {
     for (std::size_t i = 0; i < source.position.size(); ++i) {
         const Vec3 p = source.position[i];
         const double radius = source.radius[i];
-        if (std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z) && std::isfinite(radius) && radius > 0) {
-            continue;
+        if (is_finite(p) && std::isfinite(radius) && radius > 0) continue;
+        if (radius == 0) {
+            throw InputError(
+                fmt::format("{}: the particle has the size 0, but a particle must have a size above zero; correct it, "
+                            "or leave such particles out with --skip-size-zero",
+                            place(source, file, i)));
         }
         throw InputError(
             fmt::format("{}: particle {} has the centre ({}, {}, {}) and the radius {}; all must be finite, the "
@@ -69,16 +79,17 @@ void check_numbers(const Source& source, const std::string& file) {
     }
 }
 
-void check_velocities(const Source& source, const std::string& file) {
-    for (const auto* vectors : {&source.velocity, &source.angular_velocity}) {
-        for (std::size_t i = 0; i < vectors->size(); ++i) {
-            const Vec3 v = (*vectors)[i];
-            if (std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z)) continue;
-            throw InputError(
-                fmt::format("{}: particle {} has the {}velocity ({}, {}, {}), which must be finite; correct "
-                            "it or leave the velocities out",
-                            file, i, vectors == &source.velocity ? "" : "angular ", v.x, v.y, v.z));
-        }
+/// No metric needs them, so they must not keep a layer from being measured.
+void leave_out_unknown_velocities(Source& source, const std::string& file) {
+    for (auto* vectors : {&source.velocity, &source.angular_velocity}) {
+        const auto unknown = std::ranges::find_if_not(*vectors, is_finite);
+        if (unknown == vectors->end()) continue;
+        const auto i = static_cast<std::size_t>(unknown - vectors->begin());
+        const char* what = vectors == &source.velocity ? "velocity" : "angular velocity";
+        source.warnings.push_back(fmt::format("{}: the {} is ({}, {}, {}), not finite; velocities of this kind are left "
+                                              "out for all particles",
+                                              place(source, file, i), what, unknown->x, unknown->y, unknown->z));
+        vectors->clear();
     }
 }
 
@@ -147,10 +158,12 @@ void check_box(const Source& source, const std::string& file) {
 }  // namespace
 
 void complete(Source& source, const std::string& file, const ReadOptions& options) {
+    choose_types(source, file, options);
     scale_lengths(source, file, options);
     set_radius(source, file, options);
+    if (options.leave_out_size_zero) leave_out_size_zero(source, file);
     check_numbers(source, file);
-    check_velocities(source, file);
+    leave_out_unknown_velocities(source, file);
     check_identities(source, file);
     if (source.box) check_box(source, file);
 }

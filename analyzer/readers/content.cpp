@@ -5,7 +5,7 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/gzip.hpp"
+#include "analyzer/readers/packing.hpp"
 #include "common/error.hpp"
 
 namespace recoat {
@@ -56,13 +56,13 @@ std::string read_bytes(const std::filesystem::path& file) {
 bool Content::is_hdf5() const { return has_hdf5_signature(head()); }
 
 Content make_content(const std::filesystem::path& file, std::string bytes) {
-    Content content{.file = file, .bytes = std::move(bytes), .packed = false};
-    if (is_gzip(content.bytes)) {
-        content.bytes = unpack_gzip(content.bytes, content.name());
+    Content content{.file = file, .bytes = std::move(bytes)};
+    if (const Packing* packing = packing_of(content.bytes)) {
+        content.bytes = unpack(*packing, content.bytes, content.name());
         content.packed = true;
         if (content.is_hdf5()) {
-            throw InputError(
-                fmt::format("{}: HDF5 files cannot be read while packed with gzip; unpack it first", content.name()));
+            throw InputError(fmt::format("{}: HDF5 files cannot be read while packed with {}; unpack it first",
+                                         content.name(), packing->name));
         }
     }
     if (content.bytes.empty()) {

@@ -6,11 +6,18 @@
 
 namespace recoat {
 
+struct Content;
+
+/// Loads a file. Throws InputError when it cannot be read, is empty or damaged while packed.
+[[nodiscard]] Content load_content(const std::filesystem::path& file);
+
 /// A file of particles as the readers get it.
 struct Content {
     std::filesystem::path file;
-    std::string bytes;    ///< all of it, unpacked if it was a gzip file; of HDF5 files only the first bytes
-    bool packed = false;  ///< whether it was a gzip file
+    std::string bytes;    ///< all of it, unpacked if it was packed; of HDF5 files only the first bytes
+    bool packed = false;  ///< whether it was packed with gzip, bzip2, xz or zstd
+    /// How files are loaded that this one names.
+    Content (*load)(const std::filesystem::path& file) = load_content;
 
     [[nodiscard]] std::string name() const { return file.string(); }
     /// The first bytes, enough to recognise a format by.
@@ -19,10 +26,7 @@ struct Content {
     [[nodiscard]] bool is_hdf5() const;
 };
 
-/// Loads a file. Throws InputError when it cannot be read, is empty or a damaged gzip file.
-[[nodiscard]] Content load_content(const std::filesystem::path& file);
-
-/// The content of a file that has these bytes. Throws InputError when there are none or they are a damaged gzip file.
+/// The content of a file that has these bytes. Throws InputError as load_content does.
 [[nodiscard]] Content make_content(const std::filesystem::path& file, std::string bytes);
 
 }  // namespace recoat

@@ -70,6 +70,7 @@ public:
                     required('z', options.columns.z)};
         size_ = find_size(names_, options.columns, [this](const std::string& problem) { cursor_.fail(problem); });
         id_ = find_id(names_);
+        type_ = find_type(names_, options.columns, [this](const std::string& problem) { cursor_.fail(problem); });
         velocity_ = find_velocity(names_);
         angular_velocity_ = find_angular_velocity(names_);
         check_units();
@@ -92,10 +93,11 @@ public:
             source.position.push_back(vector(columns_, Dimension::length));
             if (size_) read_size(source);
             if (id_) source.id.push_back(identity());
-            if (velocity_) source.velocity.push_back(vector(*velocity_, Dimension::speed));
+            if (velocity_) source.velocity.push_back(any_vector(*velocity_, Dimension::speed));
             if (angular_velocity_) {
-                source.angular_velocity.push_back(vector(*angular_velocity_, Dimension::angular_velocity));
+                source.angular_velocity.push_back(any_vector(*angular_velocity_, Dimension::angular_velocity));
             }
+            if (type_) source.type.add(unquoted(cursor_.cells()[*type_]));
             source.line.push_back(cursor_.line_number());
         }
         if (has_units_) source.own_unit = 1.0;
@@ -176,17 +178,21 @@ private:
     }
 
     [[nodiscard]] Vec3 vector(const VectorColumns& columns, Dimension dimension) const {
-        const Vec3 v = cursor_.vector(columns, names_);
+        return in_si(cursor_.vector(columns, names_), columns, dimension);
+    }
+
+    [[nodiscard]] Vec3 any_vector(const VectorColumns& columns, Dimension dimension) const {
+        return in_si(cursor_.any_vector(columns, names_), columns, dimension);
+    }
+
+    [[nodiscard]] Vec3 in_si(Vec3 v, const VectorColumns& columns, Dimension dimension) const {
         return {factor(columns[0], dimension) * v.x, factor(columns[1], dimension) * v.y,
                 factor(columns[2], dimension) * v.z};
     }
 
     void read_size(Source& source) const {
         source.radius.push_back(size_->to_radius * factor(size_->index, Dimension::length) *
-                                cursor_.number(size_->index, names_[size_->index]));
-        if (!(source.radius.back() > 0)) {
-            cursor_.fail_at(size_->index, names_[size_->index], "a particle must have a size above zero");
-        }
+                                cursor_.size(size_->index, names_[size_->index]));
     }
 
     /// Some programs write whole numbers as 12.0.
@@ -206,7 +212,7 @@ private:
     VectorColumns columns_ = {};
     std::optional<VectorColumns> velocity_, angular_velocity_;
     std::optional<SizeColumn> size_;
-    std::optional<std::size_t> id_;
+    std::optional<std::size_t> id_, type_;
     bool has_units_ = false;
 };
 

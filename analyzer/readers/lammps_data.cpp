@@ -29,6 +29,12 @@ constexpr std::array<AtomStyle, 8> styles = {{{"sphere", 7, 4, 2},
                                               {"molecular", 6, 3, -1},
                                               {"full", 7, 4, -1}}};
 
+/// The type stands in front of the diameter, of the charge, or else of the position.
+std::size_t type_column(const AtomStyle& style) {
+    if (style.diameter > 0) return static_cast<std::size_t>(style.diameter) - 1;
+    return style.x - (style.name == "charge" || style.name == "full" ? 2 : 1);
+}
+
 /// Heading of a section: a line that begins with a letter.
 bool is_heading(std::string_view line) {
     const std::string_view text = trimmed(line);
@@ -115,14 +121,12 @@ private:
             source_.position.push_back(
                 {cursor_.number(style.x, "x"), cursor_.number(style.x + 1, "y"), cursor_.number(style.x + 2, "z")});
             source_.id.push_back(cursor_.integer(0, "id"));
+            source_.type.add(cursor_.cells()[type_column(style)]);
             source_.line.push_back(cursor_.line_number());
             read_images();
             if (style.diameter < 0) continue;
             const auto column = static_cast<std::size_t>(style.diameter);
-            source_.radius.push_back(0.5 * cursor_.number(column, "diameter"));
-            if (!(source_.radius.back() > 0)) {
-                cursor_.fail_at(column, "diameter", "a particle must have a size above zero");
-            }
+            source_.radius.push_back(0.5 * cursor_.size(column, "diameter"));
             const double own = cursor_.number(column + 1, "density");
             one_density = one_density && (i == 0 || own == density);
             density = own;

@@ -48,6 +48,7 @@ public:
                  find_axis(snapshot, cursor_, 'z', chosen.z)};
         size_ = find_size(snapshot.columns, chosen, [this](const std::string& problem) { cursor_.fail(problem); });
         id_ = find_column(snapshot.columns, "id");
+        type_ = find_type(snapshot.columns, chosen, [this](const std::string& problem) { cursor_.fail(problem); });
         if (!snapshot.units.known()) return;
         velocity_ = find_velocity(snapshot.columns);
         angular_velocity_ = find_angular_velocity(snapshot.columns);
@@ -69,10 +70,11 @@ public:
                 {coordinate(0, low.x, high.x), coordinate(1, low.y, high.y), coordinate(2, low.z, high.z)});
             if (size_) source.radius.push_back(radius());
             if (id_) source.id.push_back(cursor_.integer(*id_, "id"));
-            if (velocity_) source.velocity.push_back(cursor_.vector(*velocity_, snapshot_.columns));
+            if (velocity_) source.velocity.push_back(cursor_.any_vector(*velocity_, snapshot_.columns));
             if (angular_velocity_) {
-                source.angular_velocity.push_back(cursor_.vector(*angular_velocity_, snapshot_.columns));
+                source.angular_velocity.push_back(cursor_.any_vector(*angular_velocity_, snapshot_.columns));
             }
+            if (type_) source.type.add(cursor_.cells()[*type_]);
             source.line.push_back(cursor_.line_number());
         }
         return source;
@@ -94,17 +96,14 @@ private:
     }
 
     [[nodiscard]] double radius() const {
-        const std::string& name = snapshot_.columns[size_->index];
-        const double value = size_->to_radius * cursor_.number(size_->index, name);
-        if (!(value > 0)) cursor_.fail_at(size_->index, name, "a particle must have a size above zero");
-        return value;
+        return size_->to_radius * cursor_.size(size_->index, snapshot_.columns[size_->index]);
     }
 
     const LammpsSnapshot& snapshot_;
     TextCursor cursor_;
     std::array<Coordinate, 3> axes_;
     std::optional<SizeColumn> size_;
-    std::optional<std::size_t> id_;
+    std::optional<std::size_t> id_, type_;
     std::optional<VectorColumns> velocity_, angular_velocity_;
 };
 
@@ -116,27 +115,37 @@ Series open_lammps_dump(const Content& content, const ReadOptions& options) {
     TextCursor cursor(content.name(), content.bytes);
     std::vector<LammpsSnapshot> snapshots;
     std::vector<TextCursor> places;
-    std::vector<std::int64_t> steps;
-    while (cursor.next_filled()) {
-        snapshots.push_back(read_lammps_header(cursor, snapshots.empty() ? nullptr : &snapshots.back()));
-        if (!snapshots.back().units.known() && !options.length_unit) {
+    Series series;
+    scan_steps(series, [&] {
+        if (!cursor.next_filled()) return false;
+        LammpsSnapshot snapshot = read_lammps_header(cursor, snapshots.empty() ? nullptr : &snapshots.back());
+        if (!snapshot.units.known() && !options.length_unit) {
             cursor.fail(
                 fmt::format("the dump has the units \"{}\", which say no length in metres; give it with "
                             "--length-unit",
-                            quotable(snapshots.back().units.style)));
+                            quotable(snapshot.units.style)));
         }
-        steps.push_back(snapshots.back().step);
-        places.push_back(cursor);
-        cursor.skip(snapshots.back().count, fmt::format("{} atoms", snapshots.back().count));
+        const TextCursor place = cursor;
+        cursor.skip(snapshot.count, fmt::format("{} atoms of the time step {}", snapshot.count, snapshot.step));
+        places.push_back(place);
+        series.steps.push_back(snapshot.step);
+        snapshots.push_back(std::move(snapshot));
+        return true;
+    });
+    for (const LammpsSnapshot& snapshot : snapshots) {
+        if (snapshot.time) series.times.push_back(*snapshot.time);
     }
-    return {steps, [steps, snapshots = std::move(snapshots), places = std::move(places), &options](std::size_t index) {
-                Source source = AtomReader(snapshots[index], places[index], options.columns).read();
-                source.facts = {{"snapshots", std::to_string(steps.size())},
-                                {"steps", fmt::format("{} ... {}", steps.front(), steps.back())},
-                                {"step", std::to_string(steps[index])},
-                                {"columns", fmt::format("{}", fmt::join(snapshots[index].columns, " "))}};
-                return source;
-            }};
+    if (series.times.size() != snapshots.size()) series.times.clear();
+    series.read = [steps = series.steps, snapshots = std::move(snapshots), places = std::move(places),
+                   &options](std::size_t index) {
+        Source source = AtomReader(snapshots[index], places[index], options.columns).read();
+        source.facts = {{"snapshots", std::to_string(steps.size())},
+                        {"steps", fmt::format("{} ... {}", steps.front(), steps.back())},
+                        {"step", std::to_string(steps[index])},
+                        {"columns", fmt::format("{}", fmt::join(snapshots[index].columns, " "))}};
+        return source;
+    };
+    return series;
 }
 
 }  // namespace recoat

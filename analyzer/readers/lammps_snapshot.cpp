@@ -1,6 +1,7 @@
 #include "analyzer/readers/lammps_snapshot.hpp"
 
 #include <array>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -51,19 +52,28 @@ struct Found {
     bool step = false, count = false, box = false;
 };
 
+/// The number of the step, which some programs write as a real one (1e+06).
+std::int64_t read_step(const TextCursor& cursor) {
+    constexpr double largest = 0x1p53;
+    const auto real = parse_number(trimmed(cursor.line()));
+    if (real && *real >= 0 && *real <= largest && *real == std::floor(*real)) return static_cast<std::int64_t>(*real);
+    return static_cast<std::int64_t>(cursor.count("number of a time step"));
+}
+
 /// Reads one item; true when it was the last, the names of the columns.
 bool read_item(TextCursor& cursor, LammpsSnapshot& snapshot, Found& found) {
     const std::string_view line = cursor.line();
     std::string_view rest;
     if (is_item(line, "ITEM: TIMESTEP", rest)) {
         cursor.need("the number of the time step");
-        snapshot.step = static_cast<std::int64_t>(cursor.count("number of a time step"));
+        snapshot.step = read_step(cursor);
         found.step = true;
     } else if (is_item(line, "ITEM: UNITS", rest)) {
         cursor.need("the name of the units");
         snapshot.units = lammps_units(trimmed(cursor.line()));
     } else if (is_item(line, "ITEM: TIME", rest)) {
         cursor.need("the time");
+        snapshot.time = parse_number(trimmed(cursor.line()));
     } else if (is_item(line, "ITEM: NUMBER OF ATOMS", rest)) {
         cursor.need("the number of atoms");
         snapshot.count = cursor.count("number of atoms");

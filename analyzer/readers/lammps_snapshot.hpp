@@ -26,6 +26,7 @@ struct LammpsUnits {
 /// What stands before the atoms of one snapshot of a LAMMPS dump.
 struct LammpsSnapshot {
     std::int64_t step = 0;
+    std::optional<double> time;        ///< as the dump has it
     std::size_t count = 0;             ///< atoms
     Box box;                           ///< in the unit of the dump
     LammpsUnits units;                 ///< as the dump names them

@@ -51,10 +51,10 @@ void read_lammps_velocities(TextCursor& cursor, Source& source) {
                             columns, linear_columns, all_columns));
         }
         const std::size_t place = take_place(cursor, places);
-        source.velocity[place] = cursor.vector({1, 2, 3}, names);
+        source.velocity[place] = cursor.any_vector({1, 2, 3}, names);
         if (columns != all_columns) continue;
         source.angular_velocity.resize(source.position.size());
-        source.angular_velocity[place] = cursor.vector({4, 5, 6}, names);
+        source.angular_velocity[place] = cursor.any_vector({4, 5, 6}, names);
     }
 }
 

@@ -11,6 +11,8 @@ namespace recoat {
 namespace {
 
 constexpr std::size_t header_columns = 8, particle_columns = 14, flat_header_columns = 6;
+const std::vector<std::string> columns = {"x",     "y",    "z",     "vx",     "vy",     "vz",     "radius",
+                                          "alpha", "beta", "gamma", "omegax", "omegay", "omegaz", "species"};
 
 struct Snapshot {
     TextCursor place;  ///< on the header
@@ -57,12 +59,11 @@ Source read_particles_of(Snapshot snapshot) {
                                     cursor.cells().size(), particle_columns));
         }
         source.position.push_back({cursor.number(0, "x"), cursor.number(1, "y"), cursor.number(2, "z")});
-        constexpr std::size_t radius = 6;
-        source.radius.push_back(cursor.number(radius, "radius"));
-        if (!(source.radius.back() > 0)) cursor.fail_at(radius, "radius", "a particle must have a size above zero");
-        source.velocity.push_back({cursor.number(3, "vx"), cursor.number(4, "vy"), cursor.number(5, "vz")});
-        source.angular_velocity.push_back(
-            {cursor.number(10, "omegax"), cursor.number(11, "omegay"), cursor.number(12, "omegaz")});
+        constexpr std::size_t radius = 6, species = 13;
+        source.radius.push_back(cursor.size(radius, columns[radius]));
+        source.velocity.push_back(cursor.any_vector({3, 4, 5}, columns));
+        source.angular_velocity.push_back(cursor.any_vector({10, 11, 12}, columns));
+        source.type.add(cursor.cells()[species]);
         source.line.push_back(cursor.line_number());
     }
     return source;
@@ -81,19 +82,24 @@ bool is_mercury_data(const Content& content) {
 Series open_mercury_data(const Content& content, const ReadOptions&) {
     TextCursor cursor(content.name(), content.bytes);
     std::vector<Snapshot> snapshots;
-    std::vector<std::int64_t> numbers;
-    while (cursor.next_filled()) {
-        numbers.push_back(static_cast<std::int64_t>(snapshots.size()));
-        snapshots.push_back(read_header(cursor));
-        cursor.skip(snapshots.back().count, fmt::format("{} particles", snapshots.back().count));
-    }
-    return {std::move(numbers), [snapshots = std::move(snapshots)](std::size_t index) {
-                Source source = read_particles_of(snapshots[index]);
-                source.facts = {{"snapshots", std::to_string(snapshots.size())},
-                                {"snapshot", std::to_string(index)},
-                                {"time", shortest(snapshots[index].time)}};
-                return source;
-            }};
+    Series series;
+    scan_steps(series, [&] {
+        if (!cursor.next_filled()) return false;
+        Snapshot snapshot = read_header(cursor);
+        cursor.skip(snapshot.count, fmt::format("{} particles of the snapshot {}", snapshot.count, snapshots.size()));
+        series.steps.push_back(static_cast<std::int64_t>(snapshots.size()));
+        series.times.push_back(snapshot.time);
+        snapshots.push_back(std::move(snapshot));
+        return true;
+    });
+    series.read = [snapshots = std::move(snapshots)](std::size_t index) {
+        Source source = read_particles_of(snapshots[index]);
+        source.facts = {{"snapshots", std::to_string(snapshots.size())},
+                        {"snapshot", std::to_string(index)},
+                        {"time", shortest(snapshots[index].time)}};
+        return source;
+    };
+    return series;
 }
 
 }  // namespace recoat

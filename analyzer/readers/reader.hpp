@@ -28,6 +28,10 @@ struct Reader {
 /// All formats in the order in which they are tried.
 [[nodiscard]] std::span<const Reader> readers();
 
+/// The time steps of a file of any known format, as its reader gives them. `content` and `options` must outlive it.
+/// Throws InputError when the file is of no known format, or damaged where that shows before the particles are read.
+[[nodiscard]] Series open_series(const Content& content, const ReadOptions& options);
+
 /// An open file of particles: it is loaded once, and its time steps are read one by one, in any order, lengths in
 /// metres. `options.step` does not apply.
 class Recording {
@@ -42,8 +46,14 @@ public:
     [[nodiscard]] std::span<const std::int64_t> steps() const { return series_.steps; }
     /// The particles of a time step, by its place in steps(). Throws InputError when they are damaged.
     [[nodiscard]] Source read(std::size_t index) const;
+    /// The particles of the time step that the user chose. Throws InputError when there is none such, or it is damaged.
+    [[nodiscard]] Source read(StepChoice choice) const;
+    /// Throws InputError when the file is damaged behind the last of steps().
+    void require_whole() const;
 
 private:
+    [[nodiscard]] Source read_at(std::size_t index) const;
+
     // Pointers: the series refers to both.
     std::unique_ptr<const Content> content_;
     std::unique_ptr<const ReadOptions> options_;

@@ -3,8 +3,10 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -36,6 +38,15 @@ struct Box {
     std::array<bool, 3> unwrapped = {};  ///< positions may lie in another image of the box
 };
 
+/// Kinds of particles, under the names that the file gives them: numbers or words.
+struct ParticleTypes {
+    std::vector<std::string> names;  ///< every name once, in the order in which they turn up
+    std::vector<std::uint32_t> of;   ///< [N] places in `names`; empty where the file gives no types
+
+    /// Adds a particle of the type of this name.
+    void add(std::string_view name);
+};
+
 /// Particles of one instant as a reader found them, in the order of the file.
 struct Source {
     std::string format;                  ///< name of the reader
@@ -44,18 +55,21 @@ struct Source {
     std::vector<Vec3> velocity;          ///< [N] m/s, or empty
     std::vector<Vec3> angular_velocity;  ///< [N] rad/s, or empty
     std::vector<std::int64_t> id;        ///< [N] identities, or empty
+    ParticleTypes type;                  ///< of the particles, or without any
     std::vector<std::size_t> line;       ///< [N] lines of a text file, or empty
     std::optional<Box> box;              ///< where the file has one
     std::optional<double> own_unit;      ///< unit of length [m] where the file has one
     double time_unit = 1;                ///< of the velocities as a reader leaves them [s]
     std::int64_t step = 0;               ///< number of the time step, 0 where the file has none
+    double time = SourceInfo::unknown;   ///< as the file has it; NaN where it has none
     SourceInfo info;
     std::vector<std::pair<std::string, std::string>> facts;  ///< further things the file says: name and value
+    std::vector<std::string> warnings;  ///< whole sentences: what the user should know although the file was read
 };
 
 /// Names of columns chosen by the user; an empty one stands for the usual names.
 struct ColumnNames {
-    std::string x, y, z, radius, diameter;
+    std::string x, y, z, radius, diameter, type;
 };
 
 /// Which of several instants in a file is read.
@@ -70,6 +84,10 @@ struct ReadOptions {
     ColumnNames columns = {};
     std::optional<double> length_unit = {};  ///< [m]
     std::optional<double> radius = {};       ///< of all particles [m]
+    std::map<std::string, double> radius_of_type = {};  ///< [m], by the name of the type
+    std::vector<std::string> types = {};                ///< the only ones that are kept; empty: all
+    std::vector<std::string> types_left_out = {};
+    bool leave_out_size_zero = false;  ///< particles of size 0, which some programs write as placeholders
     StepChoice step = {};
 };
 

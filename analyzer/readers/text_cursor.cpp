@@ -63,16 +63,32 @@ void TextCursor::split(char separator) {
     }
 }
 
-double TextCursor::number(std::size_t column, std::string_view column_name) const {
+double TextCursor::any_number(std::size_t column, std::string_view column_name) const {
     const auto value = parse_number(cells_[column]);
     if (!value) fail_at(column, column_name, "this is no number");
-    if (!std::isfinite(*value)) fail_at(column, column_name, "the number is not finite");
     return *value;
+}
+
+double TextCursor::number(std::size_t column, std::string_view column_name) const {
+    const double value = any_number(column, column_name);
+    if (!std::isfinite(value)) fail_at(column, column_name, "the number is not finite");
+    return value;
+}
+
+double TextCursor::size(std::size_t column, std::string_view column_name) const {
+    const double value = number(column, column_name);
+    if (value < 0) fail_at(column, column_name, "a particle must have a size above zero");
+    return value;
 }
 
 Vec3 TextCursor::vector(const std::array<std::size_t, 3>& columns, std::span<const std::string> names) const {
     return {number(columns[0], names[columns[0]]), number(columns[1], names[columns[1]]),
             number(columns[2], names[columns[2]])};
+}
+
+Vec3 TextCursor::any_vector(const std::array<std::size_t, 3>& columns, std::span<const std::string> names) const {
+    return {any_number(columns[0], names[columns[0]]), any_number(columns[1], names[columns[1]]),
+            any_number(columns[2], names[columns[2]])};
 }
 
 std::int64_t TextCursor::integer(std::size_t column, std::string_view column_name) const {

@@ -39,6 +39,10 @@ public:
     [[nodiscard]] double number(std::size_t column, std::string_view column_name) const;
     /// The finite numbers in three cells.
     [[nodiscard]] Vec3 vector(const std::array<std::size_t, 3>& columns, std::span<const std::string> names) const;
+    /// The numbers in three cells, which may be infinite or no numbers (nan).
+    [[nodiscard]] Vec3 any_vector(const std::array<std::size_t, 3>& columns, std::span<const std::string> names) const;
+    /// The size in a cell, a finite number that is not negative.
+    [[nodiscard]] double size(std::size_t column, std::string_view column_name) const;
     /// The whole number in a cell.
     [[nodiscard]] std::int64_t integer(std::size_t column, std::string_view column_name) const;
     /// The whole number that is all of the line and not negative, e.g. a count; `what` is for the error.
@@ -50,6 +54,8 @@ public:
     [[noreturn]] void fail_at(std::size_t column, std::string_view column_name, const std::string& problem) const;
 
 private:
+    [[nodiscard]] double any_number(std::size_t column, std::string_view column_name) const;
+
     std::string name_;
     std::string_view rest_, line_;
     std::size_t number_ = 0;

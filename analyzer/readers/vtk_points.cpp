@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include "analyzer/readers/columns.hpp"
+#include "analyzer/readers/particle_types.hpp"
 #include "analyzer/readers/text_cursor.hpp"
 #include "common/error.hpp"
+#include "common/number.hpp"
 
 namespace recoat {
 namespace {
@@ -19,6 +21,12 @@ std::vector<std::int64_t> whole_numbers(std::span<const double> values) {
     constexpr double largest = 0x1p53;
     if (!std::ranges::all_of(values, [](double v) { return v == std::floor(v) && std::abs(v) <= largest; })) return {};
     return {values.begin(), values.end()};
+}
+
+/// Marks of points that stand in a piece only because they border on it; another piece has them as its own.
+std::optional<std::size_t> find_ghosts(std::span<const std::string> names) {
+    const auto type = find_column(names, "vtkghosttype");
+    return type ? type : find_column(names, "vtkghostlevels");
 }
 
 std::string column_name(std::string_view array, std::size_t components, std::size_t index) {
@@ -44,7 +52,9 @@ bool VtkPoints::wanted(std::string_view name, std::size_t components, const Colu
     if (components != 1) return false;
     const std::array<std::string, 1> names = {lower_case(name)};
     const bool size = find_size(names, {}, [](const std::string&) {}).has_value();
-    return size || find_id(names) || names[0] == lower_case(chosen.radius) || names[0] == lower_case(chosen.diameter);
+    return size || find_id(names) || find_ghosts(names) || find_type(names, {}, [](const std::string&) {}) ||
+           names[0] == lower_case(chosen.radius) || names[0] == lower_case(chosen.diameter) ||
+           names[0] == lower_case(chosen.type);
 }
 
 void VtkPoints::append_positions(std::span<const double> flat) {
@@ -83,7 +93,18 @@ Source particles_from(VtkPoints points, const ColumnNames& chosen, const std::st
         for (double& value : source.radius) value *= size->to_radius;
         source.facts.emplace_back("size from", points.names[size->index]);
     }
+    const auto type = find_type(points.names, chosen, [&](const std::string& problem) {
+        throw InputError(fmt::format("{}: {}", file, problem));
+    });
+    if (type) {
+        for (const double value : points.arrays[*type]) source.type.add(shortest(value));
+    }
     if (const auto id = find_id(points.names)) source.id = whole_numbers(points.arrays[*id]);
+    if (const auto ghosts = find_ghosts(points.names)) {
+        std::vector<bool> own(source.position.size());
+        for (std::size_t i = 0; i < own.size(); ++i) own[i] = points.arrays[*ghosts][i] == 0;
+        keep(source, own);
+    }
     return source;
 }
 

@@ -31,6 +31,8 @@ Source read_yade_text(const Content& content) {
                                 quotable(format)));
     }
     const std::size_t x = has_id ? 1 : 0;
+    // The materials of Yade stand right behind the radius.
+    const std::size_t type = format.substr(has_id ? 3 : 0).starts_with("x_y_z_r_matId") ? x + 4 : 0;
     std::size_t columns = 0;
     Source source;
     source.facts = {{"columns", std::string(format)}};
@@ -44,8 +46,8 @@ Source read_yade_text(const Content& content) {
                                     columns < x + 4 ? fmt::format("{} or more", x + 4) : std::to_string(columns)));
         }
         source.position.push_back({cursor.number(x, "x"), cursor.number(x + 1, "y"), cursor.number(x + 2, "z")});
-        source.radius.push_back(cursor.number(x + 3, "r"));
-        if (!(source.radius.back() > 0)) cursor.fail_at(x + 3, "r", "a particle must have a size above zero");
+        source.radius.push_back(cursor.size(x + 3, "r"));
+        if (type > 0 && type < found) source.type.add(cursor.cells()[type]);
         if (has_id) source.id.push_back(cursor.integer(0, "id"));
         source.line.push_back(cursor.line_number());
     }
