@@ -69,7 +69,7 @@ stress: build
 	@$(RECOAT_BUILD)/tests/stress/stress --seed $(SEED) --scenes $(SCENES) --out results/stress \
 	    --program $(RECOAT_BUILD)/solver/recoat-solve
 
-# Fuzzes each reader for SECONDS, about eleven times that in all: make fuzz SECONDS=600
+# Fuzzes each reader for SECONDS, about fourteen times that in all: make fuzz SECONDS=600
 fuzz: SECONDS = 60
 fuzz:
 	@RECOAT_FUZZ=1 ./setup.sh

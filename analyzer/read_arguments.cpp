@@ -38,7 +38,7 @@ StepChoice step_choice(const std::string& text) {
     if (text == "first") return {StepChoice::Which::first, 0};
     if (const auto number = parse_integer(text)) return {StepChoice::Which::number, *number};
     if (all_steps(text))
-        throw InputError("--step: all is for metrics and describe; write last, first or a number here");
+        throw InputError("--step: all is for metrics, describe and convert; write last, first or a number here");
     throw InputError(fmt::format("--step: \"{}\" is no time step; write last, first or its number", text));
 }
 
@@ -58,8 +58,8 @@ void read_radius(std::string_view text, ReadOptions& options) {
         const std::string_view part = text.substr(0, text.find(','));
         const std::size_t sign = part.find('=');
         if (sign == std::string_view::npos || sign == 0) {
-            throw InputError(
-                fmt::format("--radius: \"{}\" is not TYPE=RADIUS; write e.g. 1=25um,2=15um, or one radius for all", part));
+            throw InputError(fmt::format(
+                "--radius: \"{}\" is not TYPE=RADIUS; write e.g. 1=25um,2=15um, or one radius for all", part));
         }
         options.radius_of_type[std::string(trimmed(part.substr(0, sign)))] = radius(part.substr(sign + 1));
         text.remove_prefix(std::min(part.size() + 1, text.size()));
@@ -79,14 +79,14 @@ void add_read_arguments(CLI::App& command, ReadArguments& arguments) {
         ->excludes(radius);
     auto* kept = command.add_option("--type", arguments.types, "Keep the particles of these types only, e.g. 1,3");
     kept->delimiter(',')->allow_extra_args(false);
-    command.add_option("--without-type", arguments.types_left_out, "Leave out the particles of these types, e.g. a plate")
+    command
+        .add_option("--without-type", arguments.types_left_out, "Leave out the particles of these types, e.g. a plate")
         ->delimiter(',')
         ->allow_extra_args(false)
         ->excludes(kept);
     command.add_option("--type-column", arguments.type_column, "Column or array of the type");
     command.add_flag("--skip-size-zero", arguments.skip_size_zero, "Leave out particles of size 0");
-    command.add_option("--step", arguments.step,
-                       "Time step of a file with several: last, first, its number, or (metrics, describe) all");
+    command.add_option("--step", arguments.step, "Time step of a file with several: last, first, its number, or all");
 }
 
 void add_frame_arguments(CLI::App& command, FrameArguments& arguments) {

@@ -59,13 +59,20 @@ void OutputFile::commit() {
     synchronise(folder_of(place_));
 }
 
+TextFile::TextFile(const fs::path& place) : place_(place), file_(place), stream_(file_.path(), std::ios::binary) {}
+
+void TextFile::add(std::string_view text) { stream_.write(text.data(), static_cast<std::streamsize>(text.size())); }
+
+void TextFile::finish() {
+    stream_.close();
+    if (!stream_) fail(place_, std::strerror(errno));
+    file_.commit();
+}
+
 void write_text_file(const fs::path& place, std::string_view text) {
-    OutputFile file(place);
-    std::ofstream stream(file.path(), std::ios::binary);
-    stream.write(text.data(), static_cast<std::streamsize>(text.size()));
-    stream.close();
-    if (!stream) fail(place, std::strerror(errno));
-    file.commit();
+    TextFile file(place);
+    file.add(text);
+    file.finish();
 }
 
 }  // namespace recoat

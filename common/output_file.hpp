@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 
 namespace recoat {
@@ -24,6 +25,23 @@ private:
     std::filesystem::path place_;
     std::filesystem::path temporary_;
     bool committed_ = false;
+};
+
+/// A text file that is written piece by piece and appears whole or not at all.
+class TextFile {
+public:
+    /// Throws InputError when it cannot be written to.
+    explicit TextFile(const std::filesystem::path& place);
+
+    /// Adds text; a full disk shows in finish().
+    void add(std::string_view text);
+    /// Gives the file its name. Throws InputError when some of it could not be written.
+    void finish();
+
+private:
+    std::filesystem::path place_;
+    OutputFile file_;
+    std::ofstream stream_;
 };
 
 /// Writes a whole text file.

@@ -20,8 +20,8 @@ struct State {
     std::int64_t step = 0;                               ///< time steps since the start of the run
     std::vector<std::int64_t> id;                        ///< [N] identity, constant through the run
     std::vector<Vec3> position;                          ///< [N] centres [m]
-    std::vector<Vec3> velocity;                          ///< [N] [m/s]
-    std::vector<Vec3> angular_velocity;                  ///< [N] [rad/s]
+    std::vector<Vec3> velocity;                          ///< [N] [m/s]; empty where it is not known
+    std::vector<Vec3> angular_velocity;                  ///< [N] [rad/s]; empty where it is not known
     std::vector<double> radius;                          ///< [N] [m]
     std::map<std::string, std::vector<double>> scalars;  ///< further values, [N] each, e.g. "CoordinationNumber"
 
@@ -51,14 +51,19 @@ struct StateInfo {
     double time_step = unknown;        ///< [s]
 };
 
+/// Arrays that a file of states may be without: those of files of other codes need not be known.
+struct StateArrays {
+    bool velocity = true, angular_velocity = true;
+};
+
 /// Writes states, one after the other, to a VTKHDF PolyData file (version 2.0) that ParaView 5.12 opens as it is.
 ///
 /// The file has a temporary name until close(); without close() nothing appears under `path`. Point data: Id, Radius,
-/// Velocity, AngularVelocity and the scalars, which must be the same for all states of a file. The number of particles
-/// may change. Throws InputError when the file cannot be written.
+/// Velocity, AngularVelocity (unless `arrays` leaves them out) and the scalars, which must be the same for all states
+/// of a file. The number of particles may change. Throws InputError when the file cannot be written.
 class StateWriter {
 public:
-    StateWriter(const std::filesystem::path& path, const StateInfo& info);
+    StateWriter(const std::filesystem::path& path, const StateInfo& info, StateArrays arrays = {});
     ~StateWriter();
     StateWriter(StateWriter&&) noexcept;
     StateWriter& operator=(StateWriter&&) noexcept;
@@ -74,7 +79,7 @@ private:
     std::unique_ptr<File> file_;  // closed before the output is renamed or removed
 };
 
-/// Writes a file with the one state.
+/// Writes a file with the one state; velocities where it has them.
 void write_state(const std::filesystem::path& path, const StateInfo& info, const State& state);
 
 /// State number `index` of a file, counted from 0; negative: from the end. Throws InputError when there is none, or the

@@ -69,8 +69,8 @@ State read_state(const std::filesystem::path& path, int index) {
     state.position = vectors(root.dataset("Points").read_rows<double>(first, count));
     state.id = points.dataset("Id").read_rows<std::int64_t>(first, count);
     state.radius = reals("Radius");
-    state.velocity = vectors(reals("Velocity"));
-    state.angular_velocity = vectors(reals("AngularVelocity"));
+    if (points.has("Velocity")) state.velocity = vectors(reals("Velocity"));
+    if (points.has("AngularVelocity")) state.angular_velocity = vectors(reals("AngularVelocity"));
     for (const std::string& name : points.names()) {
         const bool usual = std::find(std::begin(usual_arrays), std::end(usual_arrays), name) != std::end(usual_arrays);
         if (!usual) state.scalars[name] = reals(name);

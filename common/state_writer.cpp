@@ -31,15 +31,15 @@ Integers counted(std::size_t count) {
     return values;
 }
 
-void require_equal_lengths(const State& state) {
+void require_equal_lengths(const State& state, StateArrays arrays) {
     const std::size_t n = state.size();
     const auto require = [n](const std::string& name, std::size_t length) {
         if (length == n) return;
         throw std::invalid_argument(fmt::format("state: {} has {} values for {} particles", name, length, n));
     };
     require("id", state.id.size());
-    require("velocity", state.velocity.size());
-    require("angular_velocity", state.angular_velocity.size());
+    require("velocity", arrays.velocity ? state.velocity.size() : n);
+    require("angular_velocity", arrays.angular_velocity ? state.angular_velocity.size() : n);
     require("radius", state.radius.size());
     for (const auto& [name, values] : state.scalars) require(name, values.size());
 }
@@ -55,8 +55,8 @@ void require_valid_name(const std::string& name) {
 
 /// The open file. Arrays are made at the first state, so that a chunk holds just the particles of one.
 struct StateWriter::File {
-    File(const std::filesystem::path& path, const StateInfo& info)
-        : file(hdf5::File::create(path)), root(file.create_group("VTKHDF")) {
+    File(const std::filesystem::path& path, const StateInfo& info, StateArrays wanted)
+        : kept(wanted), file(hdf5::File::create(path)), root(file.create_group("VTKHDF")) {
         write_info(file.create_group("recoat"), info);
         root.set_attribute("Version", Integers{2, 0});
         root.set_attribute("Type", std::string("PolyData"));
@@ -78,6 +78,7 @@ struct StateWriter::File {
         arrays.emplace(name, root.create_extendible<Number>(name, row, rows_per_chunk));
     }
 
+    StateArrays kept;
     hdf5::File file;
     Group root;
     std::map<std::string, Dataset> arrays;  ///< by their path below /VTKHDF
@@ -133,8 +134,8 @@ void StateWriter::File::create(const State& state) {
     create_point_array("Points", 3, "m");
     create_point_array("PointData/Id", 1, "");
     create_point_array("PointData/Radius", 1, "m");
-    create_point_array("PointData/Velocity", 3, "m/s");
-    create_point_array("PointData/AngularVelocity", 3, "rad/s");
+    if (kept.velocity) create_point_array("PointData/Velocity", 3, "m/s");
+    if (kept.angular_velocity) create_point_array("PointData/AngularVelocity", 3, "rad/s");
     for (const auto& [name, values] : state.scalars) {
         require_valid_name(name);
         create_point_array("PointData/" + name, 1, "");
@@ -173,18 +174,18 @@ void StateWriter::File::append_steps(const State& state) {
 }
 
 void StateWriter::File::append(const State& state) {
-    require_equal_lengths(state);
+    require_equal_lengths(state, kept);
     if (steps == 0) create(state);
     const std::size_t known = std::count_if(arrays.begin(), arrays.end(),
                                             [](const auto& entry) { return entry.first.starts_with("PointData/"); });
-    if (known != state.scalars.size() + 4)
+    if (known != state.scalars.size() + 2 + (kept.velocity ? 1 : 0) + (kept.angular_velocity ? 1 : 0))
         throw std::invalid_argument("state: the scalars differ from those of the first state");
     for (const auto& [name, values] : state.scalars) add("PointData/" + name, values);
     add("Points", flat(state.position));
     add("PointData/Id", state.id);
     add("PointData/Radius", state.radius);
-    add("PointData/Velocity", flat(state.velocity));
-    add("PointData/AngularVelocity", flat(state.angular_velocity));
+    if (kept.velocity) add("PointData/Velocity", flat(state.velocity));
+    if (kept.angular_velocity) add("PointData/AngularVelocity", flat(state.angular_velocity));
     add("NumberOfPoints", Integers{static_cast<std::int64_t>(state.size())});
     append_cells(state.size());
     append_steps(state);
@@ -195,8 +196,8 @@ void StateWriter::File::append(const State& state) {
     file.flush();
 }
 
-StateWriter::StateWriter(const std::filesystem::path& path, const StateInfo& info)
-    : output_(std::make_unique<OutputFile>(path)), file_(std::make_unique<File>(output_->path(), info)) {}
+StateWriter::StateWriter(const std::filesystem::path& path, const StateInfo& info, StateArrays arrays)
+    : output_(std::make_unique<OutputFile>(path)), file_(std::make_unique<File>(output_->path(), info, arrays)) {}
 StateWriter::~StateWriter() = default;
 StateWriter::StateWriter(StateWriter&&) noexcept = default;
 StateWriter& StateWriter::operator=(StateWriter&&) noexcept = default;
@@ -212,7 +213,10 @@ void StateWriter::close() {
 }
 
 void write_state(const std::filesystem::path& path, const StateInfo& info, const State& state) {
-    StateWriter writer(path, info);
+    const bool none = state.size() == 0;
+    StateWriter writer(
+        path, info,
+        {.velocity = none || !state.velocity.empty(), .angular_velocity = none || !state.angular_velocity.empty()});
     writer.append(state);
     writer.close();
 }

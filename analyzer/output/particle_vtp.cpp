@@ -4,6 +4,7 @@
 #include <numeric>
 #include <span>
 
+#include "analyzer/output/type_numbers.hpp"
 #include "analyzer/output/vtk_file.hpp"
 
 namespace recoat {
@@ -29,6 +30,12 @@ std::vector<Value> at(const std::vector<Value>& values, std::span<const std::siz
 void add_source(VtkFile& file, const Source& source, std::span<const std::size_t> places) {
     file.array("Radius", at(source.radius, places));
     if (!source.id.empty()) file.array("Id", at(source.id, places));
+    const auto numbers = type_numbers(source);
+    if (numbers && !source.type.of.empty()) {
+        std::vector<std::int64_t> types;
+        for (const std::size_t i : places) types.push_back((*numbers)[source.type.of[i]]);
+        file.array("Type", types);
+    }
     if (!source.velocity.empty()) file.array("Velocity", at(source.velocity, places));
     if (!source.angular_velocity.empty()) file.array("AngularVelocity", at(source.angular_velocity, places));
 }

@@ -2,11 +2,25 @@
 
 #include <bit>
 
+#include <boost/archive/iterators/base64_from_binary.hpp>
+#include <boost/archive/iterators/transform_width.hpp>
 #include <fmt/format.h>
 
 #include "common/output_file.hpp"
 
 namespace recoat {
+
+namespace {
+
+void append_base64(std::string& text, std::string_view bytes) {
+    using boost::archive::iterators::base64_from_binary;
+    using boost::archive::iterators::transform_width;
+    using Encoded = base64_from_binary<transform_width<const char*, 6, 8>>;
+    text.append(Encoded(bytes.data()), Encoded(bytes.data() + bytes.size()));
+    text.append((3 - bytes.size() % 3) % 3, '=');
+}
+
+}  // namespace
 
 static_assert(std::endian::native == std::endian::little && sizeof(Vec3) == 3 * sizeof(double));
 
@@ -30,16 +44,19 @@ void VtkFile::array(const std::string& name, const std::vector<Vec3>& values) {
 }
 
 void VtkFile::add(const std::string& name, const char* type, int components, const void* data, std::uint64_t bytes) {
-    text_ += fmt::format(
-        "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" offset=\"{}\"/>\n", type,
-        name, components, bytes_.size());
-    bytes_.append(reinterpret_cast<const char*>(&bytes), sizeof bytes);
-    if (bytes > 0) bytes_.append(static_cast<const char*>(data), bytes);
+    std::string block(reinterpret_cast<const char*>(&bytes), sizeof bytes);
+    if (bytes > 0) block.append(static_cast<const char*>(data), bytes);
+    text_ += fmt::format("<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"binary\">\n", type,
+                         name, components);
+    append_base64(text_, block);
+    text_ += "\n</DataArray>\n";
 }
 
 void VtkFile::write(const std::filesystem::path& place) const {
-    write_text_file(place, fmt::format("{}</{}>\n<AppendedData encoding=\"raw\">\n_{}\n</AppendedData>\n</VTKFile>\n",
-                                       text_, type_, bytes_));
+    TextFile file(place);
+    file.add(text_);
+    file.add(fmt::format("</{}>\n</VTKFile>\n", type_));
+    file.finish();
 }
 
 void begin_piece(VtkFile& file, const PolyCells& cells, bool polygons) {

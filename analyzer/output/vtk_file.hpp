@@ -10,8 +10,8 @@
 
 namespace recoat {
 
-/// A VTK XML file in the making: elements as text, and behind them the arrays as they are in memory, each behind its
-/// length.
+/// A VTK XML file in the making: elements, and in them the arrays as base64 of what is in memory behind its length. Not
+/// every program reads arrays that are appended as they are; OVITO does not.
 class VtkFile {
 public:
     /// `type` is PolyData or ImageData; `attributes` those of its element, e.g. Origin.
@@ -29,7 +29,7 @@ public:
 private:
     void add(const std::string& name, const char* type, int components, const void* data, std::uint64_t bytes);
 
-    std::string type_, text_, bytes_;
+    std::string type_, text_;
 };
 
 /// Vertices or polygons of a PolyData file, up to the data of points and cells that the caller adds between

@@ -12,8 +12,8 @@ namespace {
 
 constexpr std::array<std::string_view, 5> radius_names = {"radius", "r", "radii", "rad", "particle_radius"};
 constexpr std::array<std::string_view, 4> diameter_names = {"diameter", "d", "diam", "particle_diameter"};
-constexpr std::array<std::string_view, 9> type_names = {"type",     "types",       "species",       "element",    "material",
-                                                        "matid",    "material_id", "particle_type", "particletype"};
+constexpr std::array<std::string_view, 9> type_names = {
+    "type", "types", "species", "element", "material", "matid", "material_id", "particle_type", "particletype"};
 constexpr std::array<std::string_view, 4> id_names = {"id", "ids", "particle_id", "particleid"};
 // The names with "lin" and "ang" are those of Yade and of LIGGGHTS.
 constexpr std::array<std::string_view, 8> velocity_names = {

@@ -32,6 +32,7 @@ void scale_lengths(Source& source, const std::string& file, const ReadOptions& o
     if (source.time_unit != 1) {
         for (Vec3& v : source.angular_velocity) v = (1 / source.time_unit) * v;
     }
+    source.time *= source.time_unit;
     source.time_unit = 1;
     if (unit == 1) return;
     for (Vec3& p : source.position) p = unit * p;
@@ -86,9 +87,8 @@ void leave_out_unknown_velocities(Source& source, const std::string& file) {
         if (unknown == vectors->end()) continue;
         const auto i = static_cast<std::size_t>(unknown - vectors->begin());
         const char* what = vectors == &source.velocity ? "velocity" : "angular velocity";
-        source.warnings.push_back(fmt::format("{}: the {} is ({}, {}, {}), not finite; velocities of this kind are left "
-                                              "out for all particles",
-                                              place(source, file, i), what, unknown->x, unknown->y, unknown->z));
+        source.warnings.push_back(
+            fmt::format("{}: the {} is not finite; it is left out for all particles", place(source, file, i), what));
         vectors->clear();
     }
 }

@@ -73,6 +73,7 @@ public:
         type_ = find_type(names_, options.columns, [this](const std::string& problem) { cursor_.fail(problem); });
         velocity_ = find_velocity(names_);
         angular_velocity_ = find_angular_velocity(names_);
+        allow_size_zero_ = options.allow_size_zero();
         check_units();
         if (!size_ && !options.radius) {
             cursor_.fail(
@@ -192,7 +193,7 @@ private:
 
     void read_size(Source& source) const {
         source.radius.push_back(size_->to_radius * factor(size_->index, Dimension::length) *
-                                cursor_.size(size_->index, names_[size_->index]));
+                                cursor_.size(size_->index, names_[size_->index], allow_size_zero_));
     }
 
     /// Some programs write whole numbers as 12.0.
@@ -213,7 +214,7 @@ private:
     std::optional<VectorColumns> velocity_, angular_velocity_;
     std::optional<SizeColumn> size_;
     std::optional<std::size_t> id_, type_;
-    bool has_units_ = false;
+    bool has_units_ = false, allow_size_zero_ = false;
 };
 
 }  // namespace

@@ -20,7 +20,8 @@ struct Frame {
 };
 
 /// The columns of the position: one property of three, or three of one.
-VectorColumns find_position(const std::vector<std::string>& names, const ColumnNames& chosen, const TextCursor& cursor) {
+VectorColumns find_position(const std::vector<std::string>& names, const ColumnNames& chosen,
+                            const TextCursor& cursor) {
     VectorColumns columns = {};
     for (const auto& [axis, own] : {std::pair(0, &chosen.x), std::pair(1, &chosen.y), std::pair(2, &chosen.z)}) {
         std::optional<std::size_t> column;
@@ -45,8 +46,12 @@ VectorColumns find_position(const std::vector<std::string>& names, const ColumnN
 /// Reads the particles of one frame.
 class FrameReader {
 public:
-    FrameReader(Frame frame, const ColumnNames& chosen)
-        : frame_(std::move(frame)), cursor_(frame_.place), names_(xyz_columns(frame_.comment, cursor_)) {
+    FrameReader(Frame frame, const ReadOptions& options)
+        : frame_(std::move(frame)),
+          cursor_(frame_.place),
+          names_(xyz_columns(frame_.comment, cursor_)),
+          allow_size_zero_(options.allow_size_zero()) {
+        const ColumnNames& chosen = options.columns;
         const auto fail = [this](const std::string& problem) { cursor_.fail(problem); };
         position_ = find_position(names_, chosen, cursor_);
         size_ = find_size(names_, chosen, fail);
@@ -64,7 +69,9 @@ public:
         for (std::size_t i = 0; i < frame_.count; ++i) {
             next_particle();
             source.position.push_back(cursor_.vector(position_, names_));
-            if (size_) source.radius.push_back(size_->to_radius * cursor_.size(size_->index, names_[size_->index]));
+            if (size_)
+                source.radius.push_back(size_->to_radius *
+                                        cursor_.size(size_->index, names_[size_->index], allow_size_zero_));
             if (id_) source.id.push_back(cursor_.integer(*id_, names_[*id_]));
             if (type_) source.type.add(cursor_.cells()[*type_]);
             if (velocity_) source.velocity.push_back(cursor_.any_vector(*velocity_, names_));
@@ -80,15 +87,16 @@ private:
         cursor_.need("a particle");
         cursor_.split();
         if (cursor_.cells().size() == names_.size()) return;
-        cursor_.fail(fmt::format("the line has {} columns, but {} names {}; make them agree", cursor_.cells().size(),
-                                 frame_.comment.value("properties").empty() ? "plain XYZ (without Properties=)"
-                                                                            : "Properties",
-                                 names_.size()));
+        cursor_.fail(
+            fmt::format("the line has {} columns, but {} names {}; make them agree", cursor_.cells().size(),
+                        frame_.comment.value("properties").empty() ? "plain XYZ (without Properties=)" : "Properties",
+                        names_.size()));
     }
 
     Frame frame_;
     TextCursor cursor_;
     std::vector<std::string> names_;
+    bool allow_size_zero_;
     VectorColumns position_ = {};
     std::optional<VectorColumns> velocity_, angular_velocity_;
     std::optional<SizeColumn> size_;
@@ -153,7 +161,7 @@ Series open_extended_xyz(const Content& content, const ReadOptions& options) {
     series.steps = numbers_of(frames);
     series.times = times_of(frames);
     series.read = [frames = std::move(frames), steps = series.steps, &options](std::size_t index) {
-        Source source = FrameReader(frames[index], options.columns).read();
+        Source source = FrameReader(frames[index], options).read();
         source.facts.emplace_back("steps", std::to_string(steps.size()));
         source.facts.emplace_back("step", std::to_string(steps[index]));
         return source;

@@ -8,8 +8,8 @@ namespace recoat {
 bool is_extended_xyz(const Content& content);
 
 /// Reads the frames of extended XYZ (exaDEM, LAMMPS, OVITO, ASE): columns as Properties names them, the box of Lattice,
-/// Origin and pbc. Plain XYZ has a word and the position. The numbers of the time steps are those of the key Timestep or
-/// Step where every frame has one, else they count from 0.
+/// Origin and pbc. Plain XYZ has a word and the position. The numbers of the time steps are those of the key Timestep
+/// or Step where every frame has one, else they count from 0.
 Series open_extended_xyz(const Content& content, const ReadOptions& options);
 
 inline constexpr Reader extended_xyz_reader = {"extended-xyz", "extended XYZ of exaDEM, LAMMPS, OVITO, ASE (.xyz)",

@@ -19,7 +19,8 @@ struct Kind {
 };
 
 constexpr std::string_view unpack_it = "unpack it and give the file of particles in it";
-constexpr std::string_view export_it = "write the particles as a table (CSV), VTP or LAMMPS dump with the program that made it";
+constexpr std::string_view export_it =
+    "write the particles as a table (CSV), VTP or LAMMPS dump with the program that made it";
 
 constexpr std::array binary_kinds = {
     Kind{"PK\x03\x04"sv, "a zip archive (or a workbook of Excel); unpack it, or save the sheet as CSV"},
@@ -29,8 +30,11 @@ constexpr std::array binary_kinds = {
     Kind{"\x04\x22\x4d\x18"sv, "packed with lz4; unpack it, or pack it with gzip, bzip2, xz or zstd"},
     Kind{"LZIP"sv, "packed with lzip; unpack it, or pack it with gzip, bzip2, xz or zstd"},
     Kind{"\x5d\0\0"sv, "packed with lzma; unpack it, or pack it with gzip, bzip2, xz or zstd"},
-    Kind{"\xdf\x65\xdf\x65\xdf\x65\xdf\x65"sv, "a GSD file of HOOMD-blue, which is not read; write the particles as extended XYZ"},
-    Kind{"\x65\xdf\x65\xdf\x65\xdf\x65\xdf"sv, "a GSD file of HOOMD-blue, which is not read; write the particles as extended XYZ"},
+    Kind{"\xdf\x65\xdf\x65\xdf\x65\xdf\x65"sv,
+         "a GSD file of HOOMD-blue, which is not read; write the particles as extended XYZ"},
+    Kind{"\xdf\xe4\xa7\x0c"sv, "a GSD file of HOOMD-blue, which is not read; write the particles as extended XYZ"},
+    Kind{"\x65\xdf\x65\xdf\x65\xdf\x65\xdf"sv,
+         "a GSD file of HOOMD-blue, which is not read; write the particles as extended XYZ"},
     Kind{"LammpS RestartT"sv, "a restart file of LAMMPS, which only LAMMPS reads; dump the atoms, or write_data"},
     Kind{"CDF\x01"sv, "a NetCDF file, which is not read; dump the atoms as text"},
     Kind{"CDF\x02"sv, "a NetCDF file, which is not read; dump the atoms as text"},
@@ -86,7 +90,8 @@ std::optional<std::string> field_kind(std::string_view text) {
 
 /// Dumps of LAMMPS that are not of atoms; their lines name what they list.
 std::optional<std::string> dump_kind(std::string_view text) {
-    if (!text.starts_with("ITEM:") || has_item(text, "ITEM: ATOMS") || has_item(text, "ITEM: NUMBER OF ATOMS")) return {};
+    if (!text.starts_with("ITEM:") || has_item(text, "ITEM: ATOMS") || has_item(text, "ITEM: NUMBER OF ATOMS"))
+        return {};
     if (has_item(text, "ITEM: GRID SIZE") || has_item(text, "ITEM: GRID CELLS")) {
         return "this is a dump of a grid, which holds no particles; give the dump of the atoms";
     }

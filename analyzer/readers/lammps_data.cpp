@@ -44,7 +44,9 @@ bool is_heading(std::string_view line) {
 class DataReader {
 public:
     DataReader(const Content& content, const ReadOptions& options)
-        : cursor_(content.name(), content.bytes), si_(options.length_unit.value_or(1.0) == 1.0) {}
+        : cursor_(content.name(), content.bytes),
+          si_(options.length_unit.value_or(1.0) == 1.0),
+          allow_size_zero_(options.allow_size_zero()) {}
 
     Source read() {
         cursor_.need("a comment");
@@ -126,7 +128,7 @@ private:
             read_images();
             if (style.diameter < 0) continue;
             const auto column = static_cast<std::size_t>(style.diameter);
-            source_.radius.push_back(0.5 * cursor_.size(column, "diameter"));
+            source_.radius.push_back(0.5 * cursor_.size(column, "diameter", allow_size_zero_));
             const double own = cursor_.number(column + 1, "density");
             one_density = one_density && (i == 0 || own == density);
             density = own;
@@ -172,6 +174,7 @@ private:
 
     TextCursor cursor_;
     bool si_;  ///< whether densities are in kg/m3
+    bool allow_size_zero_;
     std::size_t count_ = 0;
     Box box_;
     int bounds_ = 0;

@@ -42,8 +42,9 @@ Coordinate find_axis(const LammpsSnapshot& snapshot, const TextCursor& cursor, c
 /// Reads the atoms of one snapshot; the cursor stands on the line that names the columns.
 class AtomReader {
 public:
-    AtomReader(const LammpsSnapshot& snapshot, TextCursor cursor, const ColumnNames& chosen)
-        : snapshot_(snapshot), cursor_(std::move(cursor)) {
+    AtomReader(const LammpsSnapshot& snapshot, TextCursor cursor, const ReadOptions& options)
+        : snapshot_(snapshot), cursor_(std::move(cursor)), allow_size_zero_(options.allow_size_zero()) {
+        const ColumnNames& chosen = options.columns;
         axes_ = {find_axis(snapshot, cursor_, 'x', chosen.x), find_axis(snapshot, cursor_, 'y', chosen.y),
                  find_axis(snapshot, cursor_, 'z', chosen.z)};
         size_ = find_size(snapshot.columns, chosen, [this](const std::string& problem) { cursor_.fail(problem); });
@@ -96,11 +97,12 @@ private:
     }
 
     [[nodiscard]] double radius() const {
-        return size_->to_radius * cursor_.size(size_->index, snapshot_.columns[size_->index]);
+        return size_->to_radius * cursor_.size(size_->index, snapshot_.columns[size_->index], allow_size_zero_);
     }
 
     const LammpsSnapshot& snapshot_;
     TextCursor cursor_;
+    bool allow_size_zero_;
     std::array<Coordinate, 3> axes_;
     std::optional<SizeColumn> size_;
     std::optional<std::size_t> id_, type_;
@@ -133,12 +135,12 @@ Series open_lammps_dump(const Content& content, const ReadOptions& options) {
         return true;
     });
     for (const LammpsSnapshot& snapshot : snapshots) {
-        if (snapshot.time) series.times.push_back(*snapshot.time);
+        if (snapshot.time && snapshot.units.known()) series.times.push_back(*snapshot.time);
     }
     if (series.times.size() != snapshots.size()) series.times.clear();
     series.read = [steps = series.steps, snapshots = std::move(snapshots), places = std::move(places),
                    &options](std::size_t index) {
-        Source source = AtomReader(snapshots[index], places[index], options.columns).read();
+        Source source = AtomReader(snapshots[index], places[index], options).read();
         source.facts = {{"snapshots", std::to_string(steps.size())},
                         {"steps", fmt::format("{} ... {}", steps.front(), steps.back())},
                         {"step", std::to_string(steps[index])},

@@ -46,7 +46,7 @@ Snapshot read_header(TextCursor& cursor) {
     return {cursor, static_cast<std::size_t>(cursor.integer(0, "N")), cursor.number(1, "time")};
 }
 
-Source read_particles_of(Snapshot snapshot) {
+Source read_particles_of(Snapshot snapshot, const ReadOptions& options) {
     TextCursor& cursor = snapshot.place;
     Source source;
     source.box = Box{.lower = {cursor.number(2, "xmin"), cursor.number(3, "ymin"), cursor.number(4, "zmin")},
@@ -60,7 +60,7 @@ Source read_particles_of(Snapshot snapshot) {
         }
         source.position.push_back({cursor.number(0, "x"), cursor.number(1, "y"), cursor.number(2, "z")});
         constexpr std::size_t radius = 6, species = 13;
-        source.radius.push_back(cursor.size(radius, columns[radius]));
+        source.radius.push_back(cursor.size(radius, columns[radius], options.allow_size_zero()));
         source.velocity.push_back(cursor.any_vector({3, 4, 5}, columns));
         source.angular_velocity.push_back(cursor.any_vector({10, 11, 12}, columns));
         source.type.add(cursor.cells()[species]);
@@ -79,7 +79,7 @@ bool is_mercury_data(const Content& content) {
     return is_header(cursor);
 }
 
-Series open_mercury_data(const Content& content, const ReadOptions&) {
+Series open_mercury_data(const Content& content, const ReadOptions& options) {
     TextCursor cursor(content.name(), content.bytes);
     std::vector<Snapshot> snapshots;
     Series series;
@@ -92,8 +92,8 @@ Series open_mercury_data(const Content& content, const ReadOptions&) {
         snapshots.push_back(std::move(snapshot));
         return true;
     });
-    series.read = [snapshots = std::move(snapshots)](std::size_t index) {
-        Source source = read_particles_of(snapshots[index]);
+    series.read = [snapshots = std::move(snapshots), &options](std::size_t index) {
+        Source source = read_particles_of(snapshots[index], options);
         source.facts = {{"snapshots", std::to_string(snapshots.size())},
                         {"snapshot", std::to_string(index)},
                         {"time", shortest(snapshots[index].time)}};

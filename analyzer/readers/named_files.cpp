@@ -1,6 +1,7 @@
 #include "analyzer/readers/named_files.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -16,6 +17,10 @@ namespace {
 Source read_one(const Content& content, const NamedFile& file, const ReadOptions& options,
                 bool (*allowed)(const Content& named)) {
     try {
+        if (std::ranges::any_of(file.name, [](unsigned char c) { return std::iscntrl(c) != 0; })) {
+            throw InputError(
+                fmt::format("the name \"{}\" of a file has control characters; rename it", quotable(file.name)));
+        }
         const Content named = content.load(content.file.parent_path() / file.name);
         if (!allowed(named)) throw InputError(named.name() + ": the file names files itself; name those instead");
         const Series series = open_series(named, options);

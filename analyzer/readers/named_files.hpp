@@ -20,8 +20,8 @@ struct NamedStep {
     double time = 0;
 };
 
-/// The particles of several files together, lengths in the unit of the files. Throws InputError when one cannot be read,
-/// holds more than one time step, is not `allowed` or says other things of its particles than the rest.
+/// The particles of several files together, lengths in the unit of the files. Throws InputError when one cannot be
+/// read, holds more than one time step, is not `allowed` or says other things of its particles than the rest.
 [[nodiscard]] Source read_named_files(const Content& content, const NamedStep& step, const ReadOptions& options,
                                       bool (*allowed)(const Content& named));
 

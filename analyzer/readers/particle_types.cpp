@@ -22,9 +22,10 @@ void keep_those(std::vector<Value>& values, const std::vector<bool>& kept) {
 
 void require_types(const Source& source, const std::string& file, std::string_view purpose) {
     if (!source.type.of.empty() || source.position.empty()) return;
-    throw InputError(fmt::format("{}: the file gives no types of its particles under a usual name, which {} needs; name "
-                                 "the column with --type-column",
-                                 file, purpose));
+    throw InputError(
+        fmt::format("{}: the file gives no types of its particles under a usual name, which {} needs; name "
+                    "the column with --type-column",
+                    file, purpose));
 }
 
 bool among(const std::vector<std::string>& names, const std::string& name) {
@@ -60,8 +61,8 @@ void choose_types(Source& source, const std::string& file, const ReadOptions& op
     for (const auto* wanted : {&options.types, &options.types_left_out}) {
         for (const std::string& name : *wanted) {
             if (among(source.type.names, name)) continue;
-            throw InputError(fmt::format("{}: no particle is of the type \"{}\"; the types are: {}", file, quotable(name),
-                                         list_types(source)));
+            throw InputError(fmt::format("{}: no particle is of the type \"{}\"; the types are: {}", file,
+                                         quotable(name), list_types(source)));
         }
     }
     std::vector<bool> kept(source.position.size());
@@ -95,8 +96,8 @@ void leave_out_size_zero(Source& source, const std::string& file) {
     const auto count = std::ranges::count(kept, false);
     if (count == 0) return;
     keep(source, kept);
-    source.warnings.push_back(fmt::format("{}: {} of {} particles are left out, for they have the size 0", file, count,
-                                          kept.size()));
+    source.warnings.push_back(
+        fmt::format("{}: {} of {} particles are left out, for they have the size 0", file, count, kept.size()));
 }
 
 }  // namespace recoat

@@ -24,11 +24,10 @@
 namespace recoat {
 namespace {
 
-constexpr std::array all_readers = {recoat_state_reader, vtkhdf_reader,      lammps_dump_reader,
-                                    lammps_data_reader,  yade_text_reader,   mercury_data_reader,
-                                    legacy_vtk_reader,   vtk_pieces_reader,  vtk_collection_reader,
-                                    vtk_series_reader,   vtk_xml_reader,     extended_xyz_reader,
-                                    csv_reader};
+constexpr std::array all_readers = {
+    recoat_state_reader, vtkhdf_reader,       lammps_dump_reader, lammps_data_reader,    yade_text_reader,
+    mercury_data_reader, legacy_vtk_reader,   vtk_pieces_reader,  vtk_collection_reader, vtk_series_reader,
+    vtk_xml_reader,      extended_xyz_reader, csv_reader};
 
 const Reader& reader_of(const Content& content) {
     if (const auto kind = foreign_kind(content)) throw InputError(fmt::format("{}: {}", content.name(), *kind));

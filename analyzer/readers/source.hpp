@@ -61,7 +61,7 @@ struct Source {
     std::optional<double> own_unit;      ///< unit of length [m] where the file has one
     double time_unit = 1;                ///< of the velocities as a reader leaves them [s]
     std::int64_t step = 0;               ///< number of the time step, 0 where the file has none
-    double time = SourceInfo::unknown;   ///< as the file has it; NaN where it has none
+    double time = SourceInfo::unknown;   ///< [s]; NaN where the file has none
     SourceInfo info;
     std::vector<std::pair<std::string, std::string>> facts;  ///< further things the file says: name and value
     std::vector<std::string> warnings;  ///< whole sentences: what the user should know although the file was read
@@ -82,13 +82,18 @@ struct StepChoice {
 /// What the user says about a file that does not say it itself.
 struct ReadOptions {
     ColumnNames columns = {};
-    std::optional<double> length_unit = {};  ///< [m]
-    std::optional<double> radius = {};       ///< of all particles [m]
+    std::optional<double> length_unit = {};             ///< [m]
+    std::optional<double> radius = {};                  ///< of all particles [m]
     std::map<std::string, double> radius_of_type = {};  ///< [m], by the name of the type
     std::vector<std::string> types = {};                ///< the only ones that are kept; empty: all
     std::vector<std::string> types_left_out = {};
     bool leave_out_size_zero = false;  ///< particles of size 0, which some programs write as placeholders
     StepChoice step = {};
+
+    /// Whether particles of size 0 may be read, for they may be left out later.
+    [[nodiscard]] bool allow_size_zero() const {
+        return leave_out_size_zero || !types.empty() || !types_left_out.empty();
+    }
 };
 
 }  // namespace recoat

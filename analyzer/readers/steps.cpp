@@ -62,12 +62,12 @@ std::optional<std::string> disorder(const Series& series, std::optional<std::siz
     const std::size_t i = first_out_of_order(series);
     if (i == 0) return {};
     const std::int64_t number = series.steps[i], before = series.steps[i - 1];
-    std::string what = number == before  ? fmt::format("the time step {} is there twice", number)
-                       : number < before ? fmt::format("the counter of time steps goes back from {} to {}", before, number)
-                       : series.times[i] == series.times[i - 1]
-                           ? fmt::format("the time {} is there twice", shortest(series.times[i]))
-                           : fmt::format("the time goes back from {} to {}", shortest(series.times[i - 1]),
-                                         shortest(series.times[i]));
+    std::string what =
+        number == before  ? fmt::format("the time step {} is there twice", number)
+        : number < before ? fmt::format("the counter of time steps goes back from {} to {}", before, number)
+        : series.times[i] == series.times[i - 1]
+            ? fmt::format("the time {} is there twice", shortest(series.times[i]))
+            : fmt::format("the time goes back from {} to {}", shortest(series.times[i - 1]), shortest(series.times[i]));
     what = fmt::format("{}: {} (places {} and {} of {} in the file)", file, what, i, i + 1, series.steps.size());
     if (!taken) return what + "; all are taken, in the order of the file";
     const std::int64_t chosen = series.steps[*taken];

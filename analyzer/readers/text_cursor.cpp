@@ -75,9 +75,13 @@ double TextCursor::number(std::size_t column, std::string_view column_name) cons
     return value;
 }
 
-double TextCursor::size(std::size_t column, std::string_view column_name) const {
+double TextCursor::size(std::size_t column, std::string_view column_name, bool allow_zero) const {
     const double value = number(column, column_name);
     if (value < 0) fail_at(column, column_name, "a particle must have a size above zero");
+    if (value == 0 && !allow_zero) {
+        fail_at(column, column_name,
+                "a particle must have a size above zero (--skip-size-zero leaves such particles out)");
+    }
     return value;
 }
 

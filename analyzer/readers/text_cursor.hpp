@@ -41,8 +41,8 @@ public:
     [[nodiscard]] Vec3 vector(const std::array<std::size_t, 3>& columns, std::span<const std::string> names) const;
     /// The numbers in three cells, which may be infinite or no numbers (nan).
     [[nodiscard]] Vec3 any_vector(const std::array<std::size_t, 3>& columns, std::span<const std::string> names) const;
-    /// The size in a cell, a finite number that is not negative.
-    [[nodiscard]] double size(std::size_t column, std::string_view column_name) const;
+    /// The size in a cell: a finite number above zero, or zero where that is allowed.
+    [[nodiscard]] double size(std::size_t column, std::string_view column_name, bool allow_zero) const;
     /// The whole number in a cell.
     [[nodiscard]] std::int64_t integer(std::size_t column, std::string_view column_name) const;
     /// The whole number that is all of the line and not negative, e.g. a count; `what` is for the error.

@@ -92,9 +92,10 @@ std::vector<NamedStep> require_some(const Content& content, std::vector<NamedSte
 std::vector<NamedStep> steps_of_json(const Content& content) {
     const auto json = nlohmann::json::parse(content.bytes, nullptr, false);
     const auto fail = [&](const std::string& problem) {
-        throw InputError(fmt::format("{}: {}; write {{\"file-series-version\": \"1.0\", \"files\": [{{\"name\": "
-                                     "\"layer.vtk\", \"time\": 0}}]}}",
-                                     content.name(), problem));
+        throw InputError(
+            fmt::format("{}: {}; write {{\"file-series-version\": \"1.0\", \"files\": [{{\"name\": "
+                        "\"layer.vtk\", \"time\": 0}}]}}",
+                        content.name(), problem));
     };
     if (json.is_discarded()) fail("the file is no whole JSON");
     if (!json.is_object() || !json.contains("files") || !json["files"].is_array()) fail("there is no list \"files\"");

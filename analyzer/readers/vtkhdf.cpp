@@ -27,6 +27,12 @@ public:
     VtkHdfReader(const Content& content, const ColumnNames& chosen)
         : file_(content.name()), chosen_(chosen), root_(hdf5::File::open(content.file).group(group_name)) {
         const std::string type = root_.text_attribute("Type");
+        if (type == "PartitionedDataSetCollection" || type == "MultiBlockDataSet") {
+            fail(fmt::format(
+                "the file is a collection of data sets ({}); save the one with the particles as PolyData in "
+                "a file of its own",
+                quotable_list(root_.names())));
+        }
         if (type != "PolyData" && type != "UnstructuredGrid") {
             fail(
                 fmt::format("the data set is of the kind \"{}\", which holds no particles; give PolyData or "
@@ -44,6 +50,8 @@ public:
         std::iota(numbers.begin(), numbers.end(), std::int64_t{0});
         return numbers;
     }
+
+    [[nodiscard]] const std::vector<double>& times() const { return times_; }
 
     [[nodiscard]] Source read(std::size_t step) const {
         const Rows rows = rows_of(step);
@@ -131,7 +139,9 @@ bool is_vtkhdf(const Content& content) { return content.is_hdf5() && hdf5::File:
 
 Series open_vtkhdf(const Content& content, const ReadOptions& options) {
     const auto reader = std::make_shared<const VtkHdfReader>(content, options.columns);
-    return {reader->steps(), [reader](std::size_t step) { return reader->read(step); }};
+    return {.steps = reader->steps(),
+            .read = [reader](std::size_t step) { return reader->read(step); },
+            .times = reader->times()};
 }
 
 }  // namespace recoat

@@ -142,7 +142,8 @@ std::optional<Box> xyz_box(const XyzComment& comment, const TextCursor& cursor) 
         sides = {lattice[0], lattice[4], lattice[8]};
         for (const std::size_t i : {1U, 2U, 3U, 5U, 6U, 7U}) {
             if (lattice[i] == 0) continue;
-            cursor.fail("the box is triclinic (tilted), which has no meaning for a layer; write it from an orthogonal box");
+            cursor.fail(
+                "the box is triclinic (tilted), which has no meaning for a layer; write it from an orthogonal box");
         }
     }
     const std::vector<double> origin = numbers_of(cursor, "Origin", comment.value("origin"));
@@ -153,6 +154,7 @@ std::optional<Box> xyz_box(const XyzComment& comment, const TextCursor& cursor) 
     if (!origin.empty()) box.lower = {origin[0], origin[1], origin[2]};
     box.upper = {box.lower.x + sides.x, box.lower.y + sides.y, box.lower.z + sides.z};
     box.periodic = periodic_of(comment.value("pbc"));
+    box.unwrapped = box.periodic;
     return box;
 }
 

@@ -10,9 +10,10 @@
 namespace recoat {
 namespace {
 
-constexpr std::string_view magic("\xfd"
-                                 "7zXZ\0",
-                                 6);
+constexpr std::string_view magic(
+    "\xfd"
+    "7zXZ\0",
+    6);
 constexpr std::uint64_t most_memory = std::uint64_t{192} << 20;  // xz -9 needs 65 MiB
 
 class Stream {

@@ -22,7 +22,7 @@ std::optional<std::string_view> named_format(std::string_view text) {
     return {};
 }
 
-Source read_yade_text(const Content& content) {
+Source read_yade_text(const Content& content, const ReadOptions& options) {
     TextCursor cursor(content.name(), content.bytes);
     const std::string_view format = *named_format(content.bytes);
     const bool has_id = format.starts_with("id_x_y_z_r");
@@ -46,7 +46,7 @@ Source read_yade_text(const Content& content) {
                                     columns < x + 4 ? fmt::format("{} or more", x + 4) : std::to_string(columns)));
         }
         source.position.push_back({cursor.number(x, "x"), cursor.number(x + 1, "y"), cursor.number(x + 2, "z")});
-        source.radius.push_back(cursor.size(x + 3, "r"));
+        source.radius.push_back(cursor.size(x + 3, "r", options.allow_size_zero()));
         if (type > 0 && type < found) source.type.add(cursor.cells()[type]);
         if (has_id) source.id.push_back(cursor.integer(0, "id"));
         source.line.push_back(cursor.line_number());
@@ -58,8 +58,8 @@ Source read_yade_text(const Content& content) {
 
 bool is_yade_text(const Content& content) { return named_format(content.head()).has_value(); }
 
-Series open_yade_text(const Content& content, const ReadOptions&) {
-    return single_step([&] { return read_yade_text(content); });
+Series open_yade_text(const Content& content, const ReadOptions& options) {
+    return single_step([&] { return read_yade_text(content, options); });
 }
 
 }  // namespace recoat

@@ -20,6 +20,29 @@ void refuse_other_value(const StateSource& source, const char* what, double of_s
                      " (SI units); give the scene the value of the state");
 }
 
+/// Files of other codes that were converted need not say how the particles move; older ones then hold NaN.
+void begin_at_rest_where_unknown(State& state, const std::filesystem::path& file) {
+    std::string unknown;
+    for (auto* velocities : {&state.velocity, &state.angular_velocity}) {
+        const bool known = std::ranges::any_of(*velocities, [](Vec3 v) { return !std::isnan(v.x); });
+        if (known || state.size() == 0) continue;
+        velocities->assign(state.size(), {});
+        unknown += unknown.empty() ? "" : " and ";
+        unknown += velocities == &state.velocity ? "velocities" : "angular velocities";
+    }
+    if (!unknown.empty())
+        warn("recoat-solve", file.string() + ": the state gives no " + unknown + "; the particles begin without");
+}
+
+void refuse_unknown_velocities(const ParticleTable& particles, const std::filesystem::path& file) {
+    const auto finite = [](Vec3 v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); };
+    for (std::size_t i = 0; i < particles.size(); ++i) {
+        if (finite(particles.velocity[i]) && finite(particles.angular_velocity[i])) continue;
+        throw InputError(file.string() + ": particle " + std::to_string(i) +
+                         " has a velocity or angular velocity that is not finite; correct it");
+    }
+}
+
 /// The particles of a state that was made under the same conditions.
 ParticleTable from_state(const StateSource& source, const Scene& scene) {
     const StateInfo info = read_state_info(source.file);
@@ -27,6 +50,7 @@ ParticleTable from_state(const StateSource& source, const Scene& scene) {
     refuse_other_value(source, "density", info.density, scene.model.density);
     refuse_other_value(source, "period in y", info.y_period, scene.y_period);
     State state = read_state(source.file);
+    begin_at_rest_where_unknown(state, source.file);
     return {std::move(state.position), std::move(state.velocity), std::move(state.angular_velocity),
             std::move(state.radius)};
 }
@@ -71,6 +95,7 @@ ParticleTable initial_particles(const Scene& scene) {
         table ? read_particle_csv(table->file) : from_state(std::get<StateSource>(scene.source), scene);
     const std::filesystem::path& file = table ? table->file : std::get<StateSource>(scene.source).file;
     refuse_odd_lengths(particles, file, scene.diameter);
+    refuse_unknown_velocities(particles, file);
     refuse_fast_spins(particles, file, scene.time_step);
     return particles;
 }

@@ -107,7 +107,7 @@ def test_options_are_checked(refused):
     assert "leave the radius out" in refused("describe", file, "--radius", "25um")
     assert "no column \"size\"" in refused("describe", file, "--diameter-column", "size")
     assert "--step: \"any\" is no time step" in refused("describe", file, "--step", "any")
-    assert "there is no time step 7; the file has 1, from 452000 to 452000" in refused("describe", file, "--step", "7")
+    assert "there is no time step 7; the file has 1: 452000" in refused("describe", file, "--step", "7")
 
 
 @pytest.mark.parametrize("share", [0.05, 0.3, 0.6, 0.95])

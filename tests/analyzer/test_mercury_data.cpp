@@ -25,7 +25,7 @@ TEST_F(MercuryData, Snapshots) {
     options.step = {StepChoice::Which::number, 0};
     EXPECT_EQ(read(two_snapshots, options).radius, (std::vector<double>{0.5, 0.25}));
     options.step.number = 2;
-    EXPECT_TRUE(begins(error(two_snapshots, options), "layer: there is no time step 2; the file has 2, from 0 to 1"));
+    EXPECT_TRUE(begins(error(two_snapshots, options), "layer: there is no time step 2; the file has 2: 0, 1"));
 }
 
 TEST_F(MercuryData, DamagedFiles) {

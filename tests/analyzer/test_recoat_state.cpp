@@ -35,7 +35,7 @@ TEST_F(RecoatState, StepsOfATrajectory) {
     EXPECT_EQ(middle.info.base, 0);
     EXPECT_NE(testing::message_of<InputError>([&] {
                   (void)at({StepChoice::Which::number, 7});
-              }).find("there is no time step 7; the file has 3, from 0 to 250"),
+              }).find("there is no time step 7; the file has 3: 0, 100, 250"),
               std::string::npos);
 }
 

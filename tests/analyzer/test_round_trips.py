@@ -1,16 +1,20 @@
 """Random particles through `convert` from every format to every other: the same bits come back."""
 
+import json
 import sys
 from itertools import permutations
 from pathlib import Path
 
+import h5py
 import numpy as np
 import pytest
+import vtk
+from vtk.util.numpy_support import vtk_to_numpy
 
 sys.path.insert(0, str(Path(__file__).parent))
 import small_layers
 
-ENDINGS = ("csv", "vtp", "dump", "vtkhdf")
+ENDINGS = ("csv", "vtp", "dump", "vtkhdf", "xyz")
 COLUMNS = ["id", "x", "y", "z", "radius", "vx", "vy", "vz", "omegax", "omegay", "omegaz"]
 
 
@@ -88,3 +92,97 @@ def test_scaled_and_unwrapped_coordinates(good, tmp_path, form):
     good("convert", "layer", "a.dump")
     good("convert", "a.dump", "end.csv")
     assert read_csv(tmp_path / "end.csv", ["x", "y", "z"]) == pytest.approx(points, rel=1e-13, abs=1e-18)
+
+
+def steps_of(good, file):
+    return [json.loads(good("describe", file, "--json", "--step", number)) for number in ("100", "250", "900")]
+
+
+@pytest.fixture
+def run(tmp_path):
+    """A dump of three steps with times, types and another number of particles in each, and what went into it."""
+    generator = np.random.default_rng(4)
+    text, steps = "", []
+    for number, count in ((100, 5), (250, 0), (900, 8)):
+        values = generator.uniform(1e-4, 9e-4, (count, 10))
+        ids, types = generator.permutation(10**12)[:count], generator.integers(1, 4, count)
+        rows = "".join(f"{i} {t} {' '.join(map(repr, row))}\n" for i, t, row in zip(ids, types, values.tolist()))
+        text += f"ITEM: TIME\n{number * 1e-7!r}\nITEM: TIMESTEP\n{number}\nITEM: NUMBER OF ATOMS\n{count}\n"
+        text += "ITEM: BOX BOUNDS ff pp ff\n-0.1 0.3\n-0.7 0.1\n0 1e-3\n"
+        text += f"ITEM: ATOMS id type {' '.join(COLUMNS[1:])}\n{rows}"
+        steps.append((number, ids, types, values))
+    (tmp_path / "run.dump").write_text(text)
+    return steps
+
+
+@pytest.mark.parametrize("ending", ["dump", "vtkhdf", "xyz"])
+def test_every_step_in_every_format_that_holds_several(analyze, good, tmp_path, run, ending):
+    done = analyze("convert", "run.dump", f"all.{ending}", "--step", "all")
+    assert done.returncode == 0, done.stderr
+    facts = steps_of(good, f"all.{ending}")
+    assert [f["particles"] for f in facts] == [5, 0, 8]
+    if ending != "vtkhdf":
+        assert done.stderr == ""
+        assert all(f["box y [m]"] == [-0.7, 0.1] and f["periodic"] == "y" for f in facts)
+    else:
+        assert "the format vtkhdf has no place for the box (but for its period along y); left out" in done.stderr
+        assert all((f["y_min [m]"], f["y_period [m]"]) == (-0.7, 0.1 + 0.7) for f in facts)
+        assert [float(f["time [s]"]) for f in facts] == pytest.approx([1e-5, 2.5e-5, 9e-5])
+    for number, ids, types, values in run:
+        good("convert", f"all.{ending}", "end.csv", "--step", number)
+        if len(ids) == 0:
+            continue
+        assert np.array_equal(read_csv(tmp_path / "end.csv"), np.column_stack([ids, values])), number
+        assert np.array_equal(read_csv(tmp_path / "end.csv", ["type"])[:, 0], types)
+    one = tmp_path / f"one.{ending}"
+    good("convert", f"all.{ending}", one, "--step", "all")
+    assert one.read_bytes() == (tmp_path / f"all.{ending}").read_bytes() or ending == "vtkhdf"
+
+
+@pytest.mark.parametrize("ending", ["csv", "vtp"])
+def test_formats_of_one_step(refused, analyze, good, run, ending):
+    assert f"all.{ending}: a file of the format {ending} holds one time step" in refused("convert", "run.dump", f"all.{ending}", "--step", "all")
+    done = analyze("convert", "run.dump", f"last.{ending}")
+    assert f"the format {ending} has no place for the box, the number of the time step, the time; left out" in done.stderr
+
+
+def test_what_is_not_said_stays_unsaid(good, tmp_path):
+    """No velocities become zeros or nan on the way, no identities are lost."""
+    points, radii, _, ids = small_layers.particles()
+    (tmp_path / "layer").write_text("x,y,z,r\n" + small_layers.rows("{x},{y},{z},{r}"))
+    for ending in ENDINGS:
+        good("convert", "layer", f"a.{ending}")
+        good("convert", f"a.{ending}", "end.csv")
+        names = (tmp_path / "end.csv").read_text().splitlines()[0]
+        assert "vx" not in names and "omega" not in names, ending
+    with h5py.File(tmp_path / "a.vtkhdf") as file:
+        assert sorted(file["VTKHDF/PointData"]) == ["Id", "Radius"]
+
+
+def test_a_step_that_says_other_things(refused, tmp_path):
+    """A state file has the same arrays in all steps."""
+    head = small_layers.dump_head()
+    with_velocities = head + small_layers.rows("{id} 1 {x} {y} {z} {r} {vx} {vy} {vz}")
+    without = head.replace("\n7\n", "\n8\n", 1).replace(" vx vy vz", "") + small_layers.rows("{id} 1 {x} {y} {z} {r}")
+    (tmp_path / "layer").write_text(with_velocities + without)
+    assert "out.vtkhdf: the time step 8 says other things of its particles" in "".join(
+        refused("convert", "layer", "out.vtkhdf", "--step", "all", "--type", "1").splitlines()[-1:]
+    )
+
+
+@pytest.mark.parametrize("ending", ["vtp", "vtkhdf"])
+def test_vtk_reads_what_is_written(good, tmp_path, ending):
+    (tmp_path / "layer").write_text(small_layers.texts()["lammps-dump"])
+    good("convert", "layer", f"a.{ending}")
+    reader = {"vtp": vtk.vtkXMLPolyDataReader, "vtkhdf": vtk.vtkHDFReader}[ending]()
+    reader.SetFileName(str(tmp_path / f"a.{ending}"))
+    reader.Update()
+    data = reader.GetOutput().GetPointData()
+    points, radii, velocity, ids = small_layers.particles()
+    assert np.array_equal(vtk_to_numpy(reader.GetOutput().GetPoints().GetData()), points)
+    assert np.array_equal(vtk_to_numpy(data.GetArray("Radius")), radii)
+    assert np.array_equal(vtk_to_numpy(data.GetArray("Velocity")), velocity)
+    assert np.array_equal(vtk_to_numpy(data.GetArray("Id")), ids)
+    if ending == "vtp":  # what OVITO reads: base64 in the elements, nothing appended
+        text = (tmp_path / "a.vtp").read_text()
+        assert "appended" not in text.lower() and 'format="binary"' in text

@@ -81,7 +81,8 @@ def test_describe_all(run, dump):
 
 def test_where_all_is_refused(run, dump, tmp_path):
     for arguments, sentence in (
-        (["convert", dump, tmp_path / "a.csv", "--step", "all"], "--step: all is for metrics and describe"),
+        (["convert", dump, tmp_path / "a.csv", "--step", "all"], "a.csv: a file of the format csv holds one time step"),
+        (["convergence", dump, "--step", "all", *OPTIONS], "--step: all is for metrics, describe and convert"),
         (["metrics", dump, "--step", "all", "--vtk", tmp_path / "vtk", *OPTIONS], "--vtk: writes one time step"),
         (["metrics", dump, "--step", "some", *OPTIONS], 'no time step; write last, first or its number'),
     ):
@@ -97,3 +98,63 @@ def test_a_damaged_later_step_leaves_nothing(run, dump, tmp_path):
     done = run("metrics", bad, "--step", "all", "--json", tmp_path / "a.json", "--out", tmp_path / "a.h5", "--csv", tmp_path, *OPTIONS)
     assert done.returncode == 2 and "bad.dump:" in done.stderr
     assert [file.name for file in tmp_path.iterdir()] == ["bad.dump"]
+
+
+def test_whole_steps_before_a_damaged_one(run, dump, tmp_path):
+    """A run that is still writing, or was stopped: what it wrote whole can be read."""
+    text, bad = dump.read_text(), tmp_path / "bad.dump"
+    for cut in (text.rindex("ITEM: ATOMS") + 60, text.rindex("ITEM: BOX") + 3, text.rindex("ITEM: TIMESTEP") + 16):
+        bad.write_text(text[:cut])
+        for choice in ("first", "100", "250"):
+            done = run("describe", bad, "--step", choice, "--json")
+            assert done.returncode == 0, done.stderr
+            assert json.loads(done.stdout)["step"] == ("100" if choice == "first" else choice)
+        for arguments in (["describe", bad], ["describe", bad, "--step", "all"], ["metrics", bad, "--step", "all", *OPTIONS],
+                          ["convert", bad, tmp_path / "out.xyz", "--step", "all"]):
+            done = run(*arguments)
+            assert done.returncode == 2 and done.stdout == "" and "bad.dump:" in done.stderr
+            assert done.stderr.rstrip().endswith("2 time steps (100, 250), which --step 250 reads"), done.stderr
+    bad.write_text(text[: text.rindex("ITEM: ATOMS") + 60])
+    assert "80 atoms of the time step 900 should follow" in run("describe", bad).stderr
+    bad.write_text(text[:100])
+    assert "bad.dump:" in run("describe", bad, "--step", "first").stderr
+
+
+@pytest.mark.parametrize(
+    ("numbers", "chosen", "warning"),
+    [
+        ([100, 250, 250, 900], "last", "the time step 250 is there twice (places 2 and 3 of 4 in the file); taken is the step 900 at place 4"),
+        ([100, 250, 250, 900], "250", "taken is the step 250 at place 3, one of 2 of this number"),
+        ([0, 500, 0, 100], "last", "the counter of time steps goes back from 500 to 0 (places 2 and 3 of 4 in the file); taken is the step 100 at place 4"),
+        ([0, 500, 0, 100], "0", "taken is the step 0 at place 3, one of 2 of this number"),
+        ([0, 500, 0, 100], "first", "taken is the step 0 at place 1, one of 2 of this number"),
+        ([0, 500, 0, 100], "all", "all are taken, in the order of the file"),
+        ([0, 100, 500], "last", None),
+    ],
+)
+@pytest.mark.parametrize("form", ["dump", "xyz"])
+def test_steps_out_of_order(run, dump, tmp_path, form, numbers, chosen, warning):
+    """A run that was continued into the same file, with its counter or without."""
+    first = dump.read_text().split("ITEM: TIMESTEP")[1]
+    if form == "dump":
+        text = "".join("ITEM: TIMESTEP" + first.replace("100", str(n), 1).replace("\n1 ", f"\n{5000 + place} ", 1) for place, n in enumerate(numbers))
+    else:
+        text = "".join(f"1\nTimestep={n} Properties=id:I:1:pos:R:3:radius:R:1\n{5000 + place} 1 1 1 0.5\n" for place, n in enumerate(numbers))
+    (tmp_path / "layer").write_text(text)
+    done = run("describe", tmp_path / "layer", "--step", chosen)
+    assert done.returncode == 0, done.stderr
+    if warning is None:
+        assert done.stderr == ""
+        return
+    assert warning in done.stderr and len(done.stderr.splitlines()) == 1
+    if chosen != "all":
+        run("convert", tmp_path / "layer", tmp_path / "out.csv", "--step", chosen)
+        place = int(warning.split("at place ")[1].split(",")[0])
+        assert f"\n{4999 + place}," in (tmp_path / "out.csv").read_text()
+
+
+def test_numbers_of_steps_as_reals(run, dump, tmp_path):
+    (tmp_path / "layer").write_text(dump.read_text().replace("TIMESTEP\n900", "TIMESTEP\n9e+02"))
+    assert json.loads(run("describe", tmp_path / "layer", "--step", "900", "--json").stdout)["step"] == "900"
+    (tmp_path / "layer").write_text(dump.read_text().replace("TIMESTEP\n900", "TIMESTEP\n900.5"))
+    assert "is no number of a time step" in run("describe", tmp_path / "layer").stderr

@@ -35,8 +35,11 @@ TEST_F(Velocities, OfTables) {
     // Two of three are none.
     EXPECT_TRUE(read("x,y,z,r,vx,vy\n1,2,3,1,4,5\n").velocity.empty());
     EXPECT_TRUE(begins(error("x [m/s],y,z,r\n1,2,3,1\n"), "layer:1: the unit of the column \"x\" is none of a length"));
-    EXPECT_TRUE(
-        begins(error("x,y,z,r,vx,vy,vz\n1,2,3,1,4,nan,6\n"), "layer:2: column 6 (vy): \"nan\": the number is n"));
+    const Source unknown = read("x,y,z,r,vx,vy,vz,omegax,omegay,omegaz\n1,2,3,1,4,nan,6,7,8,9\n");
+    EXPECT_TRUE(unknown.velocity.empty());
+    EXPECT_EQ(unknown.angular_velocity.size(), 1U);
+    ASSERT_EQ(unknown.warnings.size(), 1U);
+    EXPECT_TRUE(unknown.warnings[0].ends_with("layer:2: the velocity is not finite; it is left out for all particles"));
 }
 
 TEST_F(Velocities, OfDumpsInTheirUnits) {
@@ -71,8 +74,11 @@ TEST_F(Velocities, OfVtk) {
         "SCALARS radius float\nLOOKUP_TABLE default\n1\nVECTORS v float\n4 5 6\nFIELD more 1\nomega 3 1 float\n7 8 9\n";
     EXPECT_EQ(read(legacy).velocity, (std::vector<Vec3>{{4, 5, 6}}));
     EXPECT_EQ(read(legacy).angular_velocity, (std::vector<Vec3>{{7, 8, 9}}));
-    EXPECT_TRUE(begins(error(replaced(legacy, "4 5 6", "4 inf 6")),
-                       "layer: particle 0 has the velocity (4, inf, 6), which must be finite"));
+    const Source unknown = read(replaced(legacy, "4 5 6", "4 inf 6"));
+    EXPECT_TRUE(unknown.velocity.empty());
+    EXPECT_FALSE(unknown.angular_velocity.empty());
+    ASSERT_EQ(unknown.warnings.size(), 1U);
+    EXPECT_NE(unknown.warnings[0].find("particle 0: the velocity is not finite"), std::string::npos);
     for (const auto& [linear, angular] :
          {std::pair("linVelVec", "angVelVec"), std::pair("velocity_lin", "velocity_ang"),
           std::pair("Velocity", "AngularVelocity")}) {

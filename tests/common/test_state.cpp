@@ -116,6 +116,21 @@ TEST_F(StateFile, InfoReadsBackTheSame) {
     EXPECT_TRUE(std::isnan(read.stiffness_ratio));
 }
 
+TEST_F(StateFile, VelocitiesNeedNotBeKnown) {
+    State state = random_state(7, 3);
+    state.angular_velocity.clear();
+    write_state(path, {}, state);
+    expect_same(read_state(path), state);
+    EXPECT_FALSE(hdf5::File::open(path).group("VTKHDF").group("PointData").has("AngularVelocity"));
+    StateWriter writer(path, {}, {.velocity = true, .angular_velocity = false});
+    writer.append(random_state(0, 1));
+    writer.append(state);
+    EXPECT_THROW(StateWriter(folder / "b", {}).append(state), std::invalid_argument);
+    writer.close();
+    EXPECT_EQ(count_steps(path), 2U);
+    expect_same(read_state(path, 1), state);
+}
+
 TEST_F(StateFile, AppearsOnlyWhenClosed) {
     {
         StateWriter writer(path, {});

@@ -7,7 +7,7 @@ shift 2
 here=$(cd "$(dirname "$0")" && pwd)
 targets=("$@")
 if [ ${#targets[@]} -eq 0 ]; then
-    targets=(csv lammps-dump lammps-data yade-text mercury-data legacy-vtk vtk-xml gzip sniffing hdf5-arrays hdf5-bytes)
+    targets=(csv extended-xyz lammps-dump lammps-data yade-text mercury-data legacy-vtk vtk-xml series gzip packed sniffing hdf5-arrays hdf5-bytes)
 fi
 "$here/../../.venv/bin/python" "$here/seeds.py" "$build/seeds"
 "$build/tests/fuzz/state_seed" "$build/seeds/hdf5-bytes/seed-state"

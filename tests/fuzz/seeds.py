@@ -1,6 +1,8 @@
 """Writes the first inputs of every fuzz target, small ones, into FOLDER/TARGET: `seeds.py FOLDER`."""
 
+import bz2
 import gzip
+import lzma
 import sys
 import tempfile
 from pathlib import Path
@@ -10,6 +12,8 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import numpy_to_vtk
 
+REPORTS = Path(__file__).resolve().parents[1] / "data/reports"
+ZSTD = (REPORTS / "a10.dump.zst").read_bytes()
 DUMPS = Path(__file__).resolve().parents[1] / "data/dumps"
 POINTS = np.array([[1.0, 2.0, 3.0], [4.5, -5.25, 6e-3], [7.0, 8.0, 9.0]])
 RADII = np.array([0.5, 0.25, 0.125])
@@ -79,6 +83,25 @@ MERCURY = b"""2 0 0 0 0 4 2 3
 1 0.125 0 0 0 4 2 3
 3 1.5 1 0 0 -0.1 0.5 0 0 0 0 0 0 1
 """
+XYZ = [
+    b"""2
+Lattice="4 0 0 0 2 0 0 0 3" Origin="-1 0 0" pbc="F T F" Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1 Timestep=100 Time=0.5
+P 1 1 0.5 4 5 6 0.5 7
+Q 2 1 0.25 1 0 0 0.25 3
+1
+Properties={id:I:1:diameter:R:1:pos:R:3:type:I:1:w:R:3} Timestep=200 Time=1e0
+7 0.5 1 1 1 2 0 nan 0
+""",
+    b"1\na comment\nP 1 2 3\n",
+    b"0\nLattice='1 2 3' Properties=pos:R:3:r:R:1\n",
+]
+SERIES = [
+    b'<VTKFile type="PUnstructuredGrid"><PUnstructuredGrid><Piece Source="a.vtu"/><Piece Source="a.vtu"/></PUnstructuredGrid></VTKFile>',
+    b'<VTKFile type="vtkMultiBlockDataSet"><vtkMultiBlockDataSet><Block index="0"><DataSet index="0" file="b.csv"/></Block></vtkMultiBlockDataSet></VTKFile>',
+    b'<VTKFile type="Collection"><Collection><DataSet timestep="0.5" part="0" file="c.pvtu"/><DataSet timestep="1" part="0" file="b.csv"/>'
+    b'<DataSet timestep="1" part="1" file="d.pvd"/></Collection></VTKFile>',
+    b'{"file-series-version": "1.0", "files": [{"name": "a.vtu", "time": 0.5}, {"name": "b.csv"}]}',
+]
 LEGACY = b"""# vtk DataFile Version 2.0
 layer
 ASCII
@@ -190,6 +213,9 @@ def main(folder):
         "legacy-vtk": [*legacy_files(), real["liggghts-custom-452000.vtk"], real["liggghts-custom-boundingBox_452000.vtk"]],
         "vtk-xml": [*xml_files(), real["yade-spheres.2000.vtu"]],
         "gzip": [b"", CSV[0], real["lammps-custom.dump.gz"], gzip.compress(DUMP) + gzip.compress(CSV[0])],
+        "extended-xyz": XYZ,
+        "series": SERIES,
+        "packed": [b"\0" + bz2.compress(CSV[0])[10:], b"\1" + lzma.compress(CSV[0])[6:], b"\2" + ZSTD[4:], b"\0x,y\n1,2\n"],
         "hdf5-arrays": [b"", bytes(range(64)), bytes(range(0, 255, 3))],
     }
     folder.mkdir(parents=True, exist_ok=True)

@@ -1,9 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
+#include <bzlib.h>
+#include <lzma.h>
 #include <zlib.h>
+#include <zstd.h>
 
 namespace recoat::testing {
 
@@ -19,6 +23,30 @@ inline std::string packed(std::string_view bytes, int level = Z_BEST_COMPRESSION
     deflate(&stream, Z_FINISH);
     result.resize(stream.total_out);
     deflateEnd(&stream);
+    return result;
+}
+
+inline std::string packed_bzip2(std::string_view bytes) {
+    std::string result(bytes.size() + bytes.size() / 100 + 600, '\0');
+    auto size = static_cast<unsigned>(result.size());
+    BZ2_bzBuffToBuffCompress(result.data(), &size, const_cast<char*>(bytes.data()), static_cast<unsigned>(bytes.size()),
+                             1, 0, 0);
+    result.resize(size);
+    return result;
+}
+
+inline std::string packed_xz(std::string_view bytes) {
+    std::string result(lzma_stream_buffer_bound(bytes.size()), '\0');
+    std::size_t size = 0;
+    lzma_easy_buffer_encode(0, LZMA_CHECK_CRC64, nullptr, reinterpret_cast<const std::uint8_t*>(bytes.data()),
+                            bytes.size(), reinterpret_cast<std::uint8_t*>(result.data()), &size, result.size());
+    result.resize(size);
+    return result;
+}
+
+inline std::string packed_zstd(std::string_view bytes) {
+    std::string result(ZSTD_compressBound(bytes.size()), '\0');
+    result.resize(ZSTD_compress(result.data(), result.size(), bytes.data(), bytes.size(), 1));
     return result;
 }
 

@@ -132,6 +132,32 @@ def test_a_state_of_other_particles_is_refused(solver):
     solver.good("run", "next.yaml", "--out", "next", "--quiet")
 
 
+@pytest.mark.parametrize("unknown", ["left out", "nan"])
+def test_a_state_without_velocities_begins_at_rest(solver, unknown):
+    """Files of other codes need not say how their particles move."""
+    solver.good("run", "particles.yaml", "--out", "out", "--quiet")
+    text = (solver.folder / "particles.yaml").read_text()
+    solver.write("next.yaml", text.replace("particles: table.csv", "start_from: out/run.vtkhdf"))
+    with h5py.File(solver.folder / "out/run.vtkhdf", "r+") as file:
+        for name in ("Velocity", "AngularVelocity"):
+            if unknown == "nan":
+                file[f"VTKHDF/PointData/{name}"][...] = float("nan")
+            else:
+                del file[f"VTKHDF/PointData/{name}"]
+    done = solver("run", "next.yaml", "--out", "next", "--quiet")
+    assert done.returncode == 0, done.stderr
+    assert "the state gives no velocities and angular velocities; the particles begin without" in done.stderr
+
+
+def test_a_velocity_that_is_not_finite_is_refused(solver):
+    solver.good("run", "particles.yaml", "--out", "out", "--quiet")
+    text = (solver.folder / "particles.yaml").read_text()
+    solver.write("next.yaml", text.replace("particles: table.csv", "start_from: out/run.vtkhdf"))
+    with h5py.File(solver.folder / "out/run.vtkhdf", "r+") as file:
+        file["VTKHDF/PointData/Velocity"][0] = [0, float("nan"), 0]
+    assert "particle 0 has a velocity or angular velocity that is not finite" in solver.refusal("run", "next.yaml", "--out", "next")
+
+
 def test_the_same_scene_with_another_table_is_another_run(solver):
     solver.good("run", "particles.yaml", "--out", "out", "--quiet")
     table = (solver.folder / "table.csv").read_text()
