@@ -58,8 +58,8 @@ TEST_F(Csv, SeparatorsOrdersAndSizes) {
 }
 
 TEST_F(Csv, ColumnsByChosenNames) {
-    const Source source =
-        read("px,y,z,radius,size\n1,2,3,7,0.5\n", {.x = "PX", .y = {}, .z = {}, .radius = {}, .diameter = "size"});
+    const Source source = read("px,y,z,radius,size\n1,2,3,7,0.5\n",
+                               {.x = "PX", .y = {}, .z = {}, .radius = {}, .diameter = "size", .type = {}});
     EXPECT_EQ(source.position[0], (Vec3{1, 2, 3}));
     EXPECT_EQ(source.radius[0], 0.25);
 }
@@ -125,7 +125,7 @@ TEST_F(Csv, ErrorsOfTheFirstLine) {
               "under columns.z");
     EXPECT_TRUE(begins(error("x,y,z\n1,2,3\n"), "table.csv:1: there is no column \"radius\" or \"diameter\"; the f"));
     EXPECT_TRUE(begins(error("1,2,3,0.5\n4,5,6,0.5\n"), "table.csv:1: there is no column \"x\"; the "));
-    EXPECT_TRUE(begins(error("x,y,z,r\n", {.x = "east", .y = {}, .z = {}, .radius = {}, .diameter = {}}),
+    EXPECT_TRUE(begins(error("x,y,z,r\n", {.x = "east", .y = {}, .z = {}, .radius = {}, .diameter = {}, .type = {}}),
                        "table.csv:1: there is no column \"east\"; "));
 }
 
