@@ -59,7 +59,7 @@ TEST_F(LammpsData, Velocities) {
     EXPECT_TRUE(begins(with("1 1 2 3\n1 1 2 3\n"), "layer:22: the section Velocities gives a velocity to the atom 1"));
     EXPECT_TRUE(begins(with("1 1 2 3\n7 1 2 3\n"), "layer:22: the section Velocities gives a velocity to the atom 7"));
     EXPECT_TRUE(begins(with("1 1 2\n2 1 2 3\n"), "layer:21: the line has 3 columns, but those of the section"));
-    EXPECT_TRUE(begins(with("1 1 2 nan\n2 1 2 3\n"), "layer:21: column 4 (vz): \"nan\": the number is not finite"));
+    EXPECT_TRUE(begins(with("1 1 2 three\n2 1 2 3\n"), "layer:21: column 4 (vz): \"three\": this is no number"));
 }
 
 TEST_F(LammpsData, DamagedFiles) {

@@ -46,7 +46,10 @@ inline std::string packed_xz(std::string_view bytes) {
 
 inline std::string packed_zstd(std::string_view bytes) {
     std::string result(ZSTD_compressBound(bytes.size()), '\0');
-    result.resize(ZSTD_compress(result.data(), result.size(), bytes.data(), bytes.size(), 1));
+    ZSTD_CCtx* context = ZSTD_createCCtx();
+    ZSTD_CCtx_setParameter(context, ZSTD_c_checksumFlag, 1);  // as the program zstd does
+    result.resize(ZSTD_compress2(context, result.data(), result.size(), bytes.data(), bytes.size()));
+    ZSTD_freeCCtx(context);
     return result;
 }
 
