@@ -31,7 +31,7 @@ void begin_at_rest_where_unknown(State& state, const std::filesystem::path& file
         unknown += velocities == &state.velocity ? "velocities" : "angular velocities";
     }
     if (!unknown.empty())
-        warn("recoat-solve", file.string() + ": the state gives no " + unknown + "; the particles begin without");
+        warn("recoat-solve", file.string() + ": the state gives no " + unknown + "; they are taken as zero");
 }
 
 void refuse_unknown_velocities(const ParticleTable& particles, const std::filesystem::path& file) {

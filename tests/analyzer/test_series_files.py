@@ -126,3 +126,11 @@ def test_points_of_other_pieces_are_left_out(good, tmp_path):
                                    + "0 " * (small_layers.COUNT - 1) + "\n</DataArray>\n")
     )
     assert described(good, "layer.vtp")["particles"] == small_layers.COUNT - 1
+
+
+def test_an_empty_piece(good, tmp_path):
+    """A process that has no particles writes a piece without arrays."""
+    empty = '<Piece NumberOfPoints="0" NumberOfCells="0">\n<Points/>\n</Piece>\n'
+    for place in ("<PolyData>\n", "</Piece>\n"):
+        (tmp_path / "layer.vtp").write_text(small_layers.xml().replace(place, place + empty, 1))
+        assert described(good, "layer.vtp")["particles"] == small_layers.COUNT

@@ -146,7 +146,7 @@ def test_a_state_without_velocities_begins_at_rest(solver, unknown):
                 del file[f"VTKHDF/PointData/{name}"]
     done = solver("run", "next.yaml", "--out", "next", "--quiet")
     assert done.returncode == 0, done.stderr
-    assert "the state gives no velocities and angular velocities; the particles begin without" in done.stderr
+    assert "the state gives no velocities and angular velocities; they are taken as zero" in done.stderr
 
 
 def test_a_velocity_that_is_not_finite_is_refused(solver):
