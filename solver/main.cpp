@@ -169,7 +169,8 @@ int main(int argc, char** argv) {
     return run_program("recoat-solve", [&] {
         Arguments arguments;
         CLI::App app("Spreading of cohesive powder by the discrete element method", "recoat-solve");
-        app.set_version_flag("--version", "recoat-solve " + program_version());
+        app.set_version_flag("--version",
+                             "recoat-solve " + program_version() + ", loops for " + name_of(chosen_instruction_set()));
         app.require_subcommand(1);
         add_commands(app, arguments);
         try {

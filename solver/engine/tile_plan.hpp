@@ -15,6 +15,10 @@ struct TilePart {
     std::size_t first_before = 0;   ///< first part whose pairs reach into this one
     std::vector<double> sums;       ///< of the particles from particles.end to `beyond`
     std::vector<std::size_t> near;  ///< [1 + walls] near contacts found in this step
+
+    [[nodiscard]] bool any_near() const {
+        return std::any_of(near.begin(), near.end(), [](std::size_t count) { return count > 0; });
+    }
 };
 
 /// How the particles of a snapshot are dealt to parts and tiles: by their number alone, so that sums are the same for

@@ -182,7 +182,7 @@ private:
             for (std::size_t p = from; p < to; ++p) attract(p);
             barrier();
             for (std::size_t p = from; p < to; ++p) {
-                absorb(p, parts[p].particles);
+                absorb(p, parts[p].particles, [](const TilePart& other) { return other.any_near(); });
                 kernels_.finish(work_, parts[p].particles, tallies_[p]);
             }
         }
@@ -220,16 +220,18 @@ private:
     }
 
     void advance(std::size_t p, TileRange tile) {
-        absorb(p, tile);
+        absorb(p, tile, [](const TilePart&) { return true; });
         kernels_.particles(work_, tile, tallies_[p]);
     }
 
-    /// Adds what earlier parts have added up for the particles of `tile`, in the order of the parts.
-    void absorb(std::size_t p, TileRange tile) {
+    /// Adds what earlier parts that `has` anything have added up for the particles of `tile`, in the order of the
+    /// parts.
+    template <class Has>
+    void absorb(std::size_t p, TileRange tile, const Has& has) {
         for (std::size_t q = plan_.parts()[p].first_before; q < p; ++q) {
             TilePart& other = plan_.parts()[q];
             const std::size_t from = std::max(tile.begin, other.particles.end), to = std::min(tile.end, other.beyond);
-            if (from >= to) continue;
+            if (from >= to || !has(other)) continue;
             double* sums = sums_.data() + numbers * from;
             double* more = other.sums.data() + numbers * (from - other.particles.end);
             for (std::size_t k = 0; k < numbers * (to - from); ++k) {

@@ -85,7 +85,9 @@ void write_summary(const std::filesystem::path& file, const Scene& scene, const 
                  {"particles_lost", count_lost(scene, particles)},
                  {"wall_seconds", progress.wall_seconds},
                  {"backend", name_of(resources.backend)},
-                 {"threads", resources.threads}};
+                 {"threads", resources.threads},
+                 {"instruction_set", name_of(resources.instructions)},
+                 {"precision", scene.precision == Precision::mixed ? "mixed" : "double"}};
     for (const StageRecord& record : progress.finished) json["stages"].push_back(stage_json(record, particles.size()));
     write_text_file(file, json.dump(2) + "\n");
 }
