@@ -1,3 +1,5 @@
+#include <atomic>
+#include <thread>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -16,6 +18,18 @@ using recoat::Resources;
 using recoat::testing::expect_finding;
 
 constexpr unsigned blocks = 64, size = 128;
+
+/// Makes sure that two threads of the host run blocks of a kernel, without telling either what the other has written.
+class TwoAtLeast {
+public:
+    void join() {
+        if (threadIdx.x != 0 || begun_.fetch_add(1, std::memory_order_relaxed) > 0) return;
+        while (begun_.load(std::memory_order_relaxed) < 2) std::this_thread::yield();
+    }
+
+private:
+    std::atomic<int> begun_{0};
+};
 
 Cuda device() { return Cuda(Resources{recoat::Backend::cuda, 1, 0}); }
 
@@ -36,7 +50,11 @@ void race_of_blocks() {
     Cuda space = device();
     DeviceArray<double> array;
     space.fill(array, blocks * size + 1, 1.0);
-    space.for_each(blocks * size, [value = array.data()](std::size_t k) { value[k] = value[k + 1]; });
+    TwoAtLeast two;
+    space.for_each(blocks * size, [value = array.data(), &two](std::size_t k) {
+        two.join();
+        value[k] = value[k + 1];
+    });
     std::vector<double> seen;
     space.copy(array, seen);
 }
@@ -51,8 +69,9 @@ void warps_do_not_wait(double* result) {
 
 /// The block that comes last reads what the others have written, and nothing orders that.
 template <bool fenced>
-void last_block_reads(double* value, unsigned* ticket) {
+void last_block_reads(double* value, unsigned* ticket, TwoAtLeast* two) {
     if (threadIdx.x != 0) return;
+    two->join();
     value[blockIdx.x] = 1;
     if (fenced) __threadfence();
     if (atomicInc(ticket, blocks - 1) != blocks - 1) return;
@@ -64,14 +83,20 @@ template <bool fenced>
 double sum_of_blocks() {
     std::vector<double> value(blocks + 1, 0.0);
     unsigned ticket = 0;
-    run(last_block_reads<fenced>, value.data(), &ticket);
+    TwoAtLeast two;
+    run(last_block_reads<fenced>, value.data(), &ticket, &two);
     return value[blocks];
 }
 
 void host_does_not_wait() {
     HostStream stream;
     double place = 0;
-    stream.add([&place](Crew&) { place = 1; });
+    std::atomic<bool> done{false};
+    stream.add([&](Crew&) {
+        place = 1;
+        done.store(true, std::memory_order_relaxed);
+    });
+    while (!done.load(std::memory_order_relaxed)) std::this_thread::yield();
     place += 1;
     stream.wait();
 }
