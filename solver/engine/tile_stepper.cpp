@@ -10,6 +10,7 @@
 #include "solver/engine/tile_dispatch.hpp"
 #include "solver/engine/tile_plan.hpp"
 #include "solver/engine/tile_sizes.hpp"
+#include "solver/execution/flush_denormals.hpp"
 
 namespace recoat {
 
@@ -164,6 +165,7 @@ private:
     /// The parts [begin, end) of a step. Particles that an earlier part of another thread reaches wait for that.
     template <class Barrier>
     void step_of_thread(int begin, int end, const Barrier& barrier) {
+        const FlushDenormals flush;
         const auto from = static_cast<std::size_t>(begin), to = static_cast<std::size_t>(end);
         std::vector<TilePart>& parts = plan_.parts();
         const auto inner = [&](std::size_t p) { return parts[p].first_before >= from; };
