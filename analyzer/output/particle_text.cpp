@@ -78,14 +78,14 @@ Box box_of(const Source& source) {
     return box;
 }
 
-/// The length that leads from one bound to the other to the last bit, where there is one.
+/// The length that leads from one bound to the other to the last bit, where there is one; else one that reaches beyond.
 double side(double lower, double upper) {
     const double length = upper - lower;
     for (const double towards : {-HUGE_VAL, HUGE_VAL}) {
         const double near = std::nextafter(length, towards);
         if (lower + length != upper && lower + near == upper) return near;
     }
-    return length;
+    return lower + length < upper ? std::nextafter(length, HUGE_VAL) : length;
 }
 
 }  // namespace
