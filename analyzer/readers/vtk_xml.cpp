@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/text_cursor.hpp"
 #include "analyzer/readers/vtk_array.hpp"
 #include "analyzer/readers/vtk_points.hpp"
 #include "analyzer/readers/xml_tree.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {
@@ -69,11 +69,15 @@ private:
         for (const XmlElement& array : data.children) {
             const std::string name = array.attribute("Name"), components = array.attribute("NumberOfComponents", "1");
             const std::size_t width = components == "1" ? 1 : components == "3" ? 3 : 0;
+            if (array.name == "DataArray") points_.offer(name);
             if (array.name != "DataArray" || !VtkPoints::wanted(name, width, chosen_)) continue;
             if (is_there(name, width)) {
                 fail(array, fmt::format("the array \"{}\" is there twice; give it once", quotable(name)));
             }
             points_.append(name, width, read_array(array, count, width, encoding_, file_));
+            if (VtkPoints::holds_identities(name, width)) {
+                points_.append_identities(read_whole_array(array, count, encoding_, file_));
+            }
         }
     }
 
