@@ -1,5 +1,7 @@
 #include "analyzer/commands/layer_arguments.hpp"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
@@ -7,6 +9,7 @@
 #include "analyzer/commands/warnings.hpp"
 #include "analyzer/readers/frame.hpp"
 #include "analyzer/readers/reader.hpp"
+#include "analyzer/region.hpp"
 #include "common/error.hpp"
 
 namespace recoat {
@@ -27,7 +30,7 @@ void add_layer_arguments(CLI::App& command, LayerArguments& arguments) {
 Config load_config(const LayerArguments& arguments) {
     std::vector<std::string> settings = arguments.settings;
     for (const std::string& setting : frame_settings(arguments.frame)) settings.push_back(setting);
-    if (arguments.config.empty()) return Config::parse("{}", "--config (not given)", settings);
+    if (arguments.config.empty()) return Config::parse("{}", "", settings);
     return Config::load(arguments.config, settings);
 }
 
@@ -41,14 +44,37 @@ std::string no_particles(const LayerArguments& arguments, const Recording& recor
     return fmt::format("{}: the time step {} has no particles", arguments.file, source.step);
 }
 
-/// The frame of the last time step that has particles.
+/// @throws InputError when a file has particles, but none of them lies in the region, or the region reaches far beyond.
+void check_region(const Config& config, const PreparedLayer& prepared, const LayerArguments& arguments) {
+    const AnalysisConfig& resolved = prepared.config;
+    check_reach(config, prepared.source.info, {resolved.x_begin, resolved.x_end},
+                resolved.phi_window * resolved.particle_diameter);
+    const std::vector<char>& in_region = prepared.layer.in_region;
+    const std::vector<Vec3>& position = prepared.source.position;
+    if (position.empty() || std::ranges::find(in_region, 1) != in_region.end()) return;
+    const auto [low, high] = std::ranges::minmax(position, {}, &Vec3::x);
+    throw InputError(
+        fmt::format("{}: no particle has its centre in the region x = {:.9g} ... {:.9g} m; they lie between "
+                    "x = {:.9g} and {:.9g} m: give a region there (--region, x_range)",
+                    arguments.file, resolved.x_begin, resolved.x_end, low.x, high.x));
+}
+
+PreparedLayer prepared_from(Source source, const AnalysisConfig& config) {
+    lower_to_base(source, config.base);
+    Layer layer = make_layer(source, config);
+    return {std::move(layer), config, std::move(source)};
+}
+
+/// The configuration with the frame of the last time step that has particles.
 AnalysisConfig config_of_last(const LayerArguments& arguments, const Recording& recording, const Config& config) {
     for (std::size_t index = recording.steps().size(); index > 0; --index) {
         Source source = recording.read(index - 1);
         if (is_empty(source, config)) continue;
         wrap_along_x(source);
         complete_frame(source);
-        return read_analysis_config(config, source.info);
+        const AnalysisConfig resolved = read_analysis_config(config, source.info);
+        check_region(config, prepared_from(std::move(source), resolved), arguments);
+        return resolved;
     }
     throw InputError(fmt::format("{}: no time step has particles; give a file that has", arguments.file));
 }
@@ -67,10 +93,10 @@ PreparedLayer prepare_layer(const LayerArguments& arguments) {
     }
     wrap_along_x(source);
     complete_frame(source);
-    AnalysisConfig resolved = read_analysis_config(config, source.info);
-    lower_to_base(source, resolved.base);
-    Layer layer = make_layer(source, resolved);
-    return {std::move(layer), std::move(resolved), std::move(source)};
+    const AnalysisConfig resolved = read_analysis_config(config, source.info);
+    PreparedLayer prepared = prepared_from(std::move(source), resolved);
+    check_region(config, prepared, arguments);
+    return prepared;
 }
 
 void for_each_step(const LayerArguments& arguments,
@@ -89,9 +115,7 @@ void for_each_step(const LayerArguments& arguments,
         warnings.show(source);
         if (empty) continue;
         wrap_along_x(source);
-        lower_to_base(source, resolved.base);
-        Layer layer = make_layer(source, resolved);
-        take(recording.steps()[index], {std::move(layer), resolved, std::move(source)});
+        take(recording.steps()[index], prepared_from(std::move(source), resolved));
     }
 }
 

@@ -17,6 +17,8 @@ ANALYZER = [
     "common",
     "common/tables",
     "analyzer/readers",
+    "analyzer/division",
+    "analyzer/region",
     "analyzer/configuration",
     "analyzer/fields",
     "analyzer/metrics",
