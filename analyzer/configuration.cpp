@@ -80,8 +80,15 @@ void refuse_gaps(const Config& config, const SourceInfo& info) {
     }
 }
 
-/// Region along x: given, or the way of the blade without its first and its last part [paper section 3], shortened to
-/// whole cells.
+/// Way of the blade over which the layer is as the blade left it, windows of the packing density included [m].
+double undisturbed_way(const SourceInfo& info, const AnalysisConfig& config) {
+    if (std::isnan(info.layer_end)) return info.spread_length;
+    const double overhang = 0.5 * (config.phi_window - config.grid) * config.particle_diameter;
+    return info.layer_end - info.blade_start - std::max(overhang, 0.0);
+}
+
+/// Region along x: given, or the way of the blade without its first and its last part [paper section 3] and what powder
+/// flowed back over, shortened to whole cells.
 void read_region(const Config& config, const SourceInfo& info, AnalysisConfig& result) {
     if (config.has("x_range")) {
         for (const std::string_view key : {"skip_start", "skip_end"}) {
@@ -103,7 +110,8 @@ void read_region(const Config& config, const SourceInfo& info, AnalysisConfig& r
     const double end =
         config.quantity_or("skip_end", Dimension::length, paper_end * info.spread_length, Range::not_negative());
     const double cell = result.grid * result.particle_diameter;
-    const double cells = std::floor((info.spread_length - start - end) / cell + alignment);
+    const double way = std::min(info.spread_length - end, undisturbed_way(info, result));
+    const double cells = std::floor((way - start) / cell + alignment);
     if (cells < 1)
         config.fail(config.has("skip_start") ? "skip_start" : "skip_end",
                     "nothing is left of the spreading length; skip less, or give x_range");

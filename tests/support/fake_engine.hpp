@@ -50,7 +50,10 @@ public:
             for (std::size_t i = 0; i < particles_.size(); ++i) {
                 particles_.position[i] += time_step_ * particles_.velocity[i];
             }
-            for (const Wall& wall : walls_) work_ += 1e-15 * norm(wall.velocity);
+            for (Wall& wall : walls_) {
+                work_ += 1e-15 * norm(wall.velocity);
+                for (Vec3* place : {&wall.point, &wall.lower, &wall.upper}) *place += time_step_ * wall.velocity;
+            }
             ++step_;
         }
     }
