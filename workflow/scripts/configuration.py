@@ -59,8 +59,9 @@ def explain(error):
     if error.validator == "required":
         missing = next(key for key in error.validator_value if key not in error.instance)
         return path, f"the key {missing} is missing"
-    value = json.dumps(error.instance, default=str)
-    reason = error.message if len(error.message) < 120 else f"{value[:60]} ... is not possible here"
+    value = json.dumps(error.instance)
+    tells_nothing = error.validator == "pattern" or len(error.message) >= 120
+    reason = f"{value[:60]} is not possible here" if tells_nothing else error.message
     about = error.schema.get("description")
     return path, reason + (f" ({about.rstrip('.')})" if about else "")
 
