@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench bench-against bench-instructions bench-reproduce static bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
+.PHONY: setup programs build reproduce test lint bench bench-against bench-instructions bench-reproduce static portable bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
 
 setup:
 	@./setup.sh
@@ -61,6 +61,12 @@ bench-reproduce: setup
 # A solver without libraries of its own, for other machines, and what checks it there (bench/gpu.sh).
 static: setup
 	@cmake --preset static --log-level=WARNING && cmake --build --preset static --parallel $(CORES)
+
+# Both programs with the libraries that they need beside them, for nodes of a cluster and other machines (docs/workflow.md).
+portable: setup
+	@cmake --preset portable --log-level=WARNING
+	@cmake --build --preset portable --parallel $(CORES) --target recoat-solve recoat-analyze
+	@cmake --install build/portable --prefix build/portable/programs >/dev/null && echo "Programs: build/portable/programs"
 
 # Random scenes far beyond the usual ones (docs/stability.md); those that go wrong stay in results/stress.
 SEED ?= 1

@@ -1,15 +1,17 @@
 # From a grid of cases to figures and a report; see docs/workflow.md.
 
-from snakemake.utils import min_version, validate
+import sys
+
+from snakemake.utils import min_version
 
 min_version("9.0")
 
-if "name" not in config:
+if not workflow.configfiles:
 
     configfile: "config/reduced.yaml"
 
 
-validate(config, "config/schema/grid.schema.json")
+sys.path.append(f"{workflow.basedir}/workflow/scripts")
 
 
 include: "workflow/rules/common.smk"

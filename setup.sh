@@ -54,14 +54,17 @@ install_system_packages() {
 
 install_python_packages() {
     local python=${PYTHON:-/usr/bin/python3}
-    local wanted
-    wanted="$("$python" --version) $(sha256sum requirements.txt | cut -d ' ' -f 1)"
-    if [ "$(cat .venv/requirements.installed 2>/dev/null)" = "$wanted" ]; then
+    local version wanted there
+    version=$("$python" --version)
+    wanted="$version $(sha256sum requirements.txt | cut -d ' ' -f 1)"
+    there=$(cat .venv/requirements.installed 2>/dev/null || true)
+    if [ "$there" = "$wanted" ]; then
         echo "setup: Python packages are there"
         return
     fi
     echo "setup: installing Python packages into .venv"
-    "$python" -m venv --clear .venv
+    # Another Python needs another environment; otherwise what is there already stays.
+    [ "${there% *}" = "$version" ] || "$python" -m venv --clear .venv
     .venv/bin/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
     echo "$wanted" >.venv/requirements.installed
 }

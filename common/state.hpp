@@ -45,6 +45,7 @@ struct StateInfo {
     double clearance = unknown;        ///< height of the blade above the base h_b [m]
     double blade_start = unknown;      ///< x of the rear bottom edge of the blade before spreading [m]
     double spread_length = unknown;    ///< way of the blade [m]
+    double layer_end = unknown;        ///< x up to which the layer is as the blade left it, at rest [m]
     double bond_number = unknown;      ///< [-]
     double hamaker = unknown;          ///< A^O [J]
     double stiffness_ratio = unknown;  ///< Y^R/Y^O [-]

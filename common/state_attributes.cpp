@@ -6,6 +6,7 @@ namespace recoat {
 
 void write_info(const hdf5::Group& group, const StateInfo& info) {
     for_each_attribute(info, [&](const char* name, const auto& value) { group.set_attribute(name, value); });
+    group.set_attribute("layer_end", info.layer_end);
 }
 
 StateInfo read_info(const hdf5::Group& group) {
@@ -20,6 +21,8 @@ StateInfo read_info(const hdf5::Group& group) {
             value = group.text_attribute(name);
         }
     });
+    // Older files do not have it.
+    if (group.has_attribute("layer_end")) info.layer_end = group.real_attribute("layer_end");
     return info;
 }
 

@@ -78,7 +78,7 @@ Plan plan_for(const Scene& scene, const fs::path& folder, bool overwrite) {
 
 /// Removes what an earlier run left, so that no old file is taken for a result of the new one.
 void clear(const Scene& scene, const fs::path& folder) {
-    for (const char* name : {"summary.json", "energy.csv", "trajectory.vtkhdf", "fault.vtkhdf"}) {
+    for (const char* name : {"summary.json", "energy.csv", "walls.vtkhdf", "trajectory.vtkhdf", "fault.vtkhdf"}) {
         fs::remove(folder / name);
     }
     remove_checkpoints(folder);

@@ -20,6 +20,15 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 /// Steps until the next multiple of `interval`.
 std::int64_t until_multiple(std::int64_t step, std::int64_t interval) { return interval - step % interval; }
 
+DrawnSpace drawn_space(const Scene& scene) {
+    DrawnSpace space{scene.domain_lower, scene.domain_upper};
+    if (scene.y_period > 0) {
+        space.lower.y = 0;
+        space.upper.y = scene.y_period;
+    }
+    return space;
+}
+
 }  // namespace
 
 StageRunner::StageRunner(const Scene& scene, const RunOptions& options, Engine& engine, RunProgress progress)
@@ -77,12 +86,21 @@ void StageRunner::enter(const Segment& segment) {
 }
 
 void StageRunner::leave(const Segment& segment) {
-    for (const WallMotion& motion : segment.motions) engine_.set_wall_velocity(wall_index(motion.wall), {});
+    for (const WallMotion& motion : segment.motions) {
+        engine_.set_wall_velocity(wall_index(motion.wall), {});
+        if (scene_.stages[progress_.stage].kind == "spread" && motion.velocity.x > 0) keep_blade_stop(motion.wall);
+    }
     progress_.settled = at_rest(segment);
     ++progress_.segment;
     progress_.segment_entered = false;
     progress_.segment_steps = 0;
     progress_.checks_at_rest = 0;
+}
+
+void StageRunner::keep_blade_stop(const std::string& blade) {
+    progress_.blade_stop.rear = engine_.walls()[wall_index(blade)].lower.x;
+    progress_.blade_stop.x.clear();
+    for (const Vec3& position : engine_.particles().position) progress_.blade_stop.x.push_back(position.x);
 }
 
 std::size_t StageRunner::wall_index(const std::string& name) const {
@@ -140,6 +158,7 @@ void StageRunner::sample() {
         progress_.frames.push_back(trajectory_.add(progress_.frames.size(),
                                                    state_info(scene_, stage, options_.resources.backend),
                                                    state_of_engine(engine_, scene_.y_period)));
+        progress_.walls.add(engine_);
     }
 }
 
@@ -189,8 +208,13 @@ void StageRunner::finish_stage(const Stage& stage) {
         const double area = scene_.spread->fill_length * scene_.y_period;
         record.packing_density = bed_packing_density(engine_.particles(), area);
     }
-    write_state(options_.folder / (stage.name + ".vtkhdf"), state_info(scene_, stage.name, options_.resources.backend),
-                state_of_engine(engine_, scene_.y_period));
+    StateInfo info = state_info(scene_, stage.name, options_.resources.backend);
+    if (!progress_.blade_stop.x.empty()) {
+        record.layer_end = layer_end(progress_.blade_stop, engine_.particles(), scene_.diameter);
+        info.layer_end = *record.layer_end;
+    }
+    write_state(options_.folder / (stage.name + ".vtkhdf"), info, state_of_engine(engine_, scene_.y_period));
+    progress_.walls.add(engine_);
     line_.say(stage.name + ": " + std::to_string(record.steps) + " steps" + (record.settled ? ", settled." : "."));
     progress_.finished.push_back(record);
     progress_.stage_first_step = engine_.step();
@@ -227,6 +251,9 @@ void StageRunner::save_if_due() {
 
 void StageRunner::summarise(RunStatus status) {
     if (!progress_.energy.empty()) progress_.energy.write_csv(options_.folder / "energy.csv");
+    if (!progress_.walls.empty()) {
+        progress_.walls.write(options_.folder / "walls.vtkhdf", drawn_space(scene_), scene_.diameter);
+    }
     write_summary(options_.folder / "summary.json", scene_, progress_, engine_, status, options_.resources);
 }
 

@@ -48,6 +48,7 @@ private:
     void summarise(RunStatus status);
     void count_time();
     [[nodiscard]] std::int64_t stage_steps() const { return engine_.step() - progress_.stage_first_step; }
+    void keep_blade_stop(const std::string& blade);
     [[nodiscard]] std::size_t wall_index(const std::string& name) const;
     [[noreturn]] void fault(const SimulationFault& error);
 

@@ -64,6 +64,7 @@ Json description(const Source& source, const std::string& file) {
     json["y_period [m]"] = known_or_null(source.info.y_period);
     json["blade_start [m]"] = known_or_null(source.info.blade_start);
     json["spread_length [m]"] = known_or_null(source.info.spread_length);
+    json["layer_end [m]"] = known_or_null(source.info.layer_end);
     for (const auto& [name, value] : source.facts) json[name] = value;
     return json;
 }

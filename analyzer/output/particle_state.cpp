@@ -22,6 +22,7 @@ StateInfo info_of(const Source& source) {
     info.clearance = source.info.clearance;
     info.blade_start = source.info.blade_start;
     info.spread_length = source.info.spread_length;
+    info.layer_end = source.info.layer_end;
     const bool own_period = !std::isnan(source.info.y_period);
     if (own_period || (source.box && source.box->periodic[1])) {
         info.y_min = own_period ? source.info.y_min : source.box->lower.y;

@@ -47,6 +47,7 @@ Source read_one(const std::filesystem::path& file, std::size_t index) {
                    .y_period = info.y_period,
                    .blade_start = info.blade_start,
                    .spread_length = info.spread_length,
+                   .layer_end = info.layer_end,
                    .base = info.stage == converted_stage ? SourceInfo::unknown : 0};
     source.facts = {{"states", std::to_string(count_steps(file))},
                     {"step", std::to_string(state.step)},

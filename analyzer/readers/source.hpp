@@ -25,6 +25,7 @@ struct SourceInfo {
     double y_period = unknown;
     double blade_start = unknown;    ///< x of the rear bottom edge of the blade before spreading
     double spread_length = unknown;  ///< way of the blade
+    double layer_end = unknown;      ///< x up to which the layer is as the blade left it
     double base = unknown;           ///< z of the base
     double x_lower = unknown;        ///< smallest and largest x of the centres
     double x_upper = unknown;

@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::int64_t schema_version = 2;
+constexpr std::int64_t schema_version = 3;
 
 fs::path last_file(const fs::path& folder) { return folder / "checkpoint.h5"; }
 fs::path previous_file(const fs::path& folder) { return folder / "checkpoint-previous.h5"; }
@@ -52,6 +52,8 @@ Checkpoint read_checked(const hdf5::File& file, const std::string& name) {
     checkpoint.config = root.text_attribute("config");
     checkpoint.progress = progress_from_text(root.text_attribute("progress"));
     checkpoint.progress.energy.set_values(root.read<double>("energy"));
+    checkpoint.progress.blade_stop.x = root.read<double>("blade_stop_x");
+    checkpoint.progress.walls.set_values(root.read<double>("walls"));
     const auto frames = root.read<std::int64_t>("frames");
     checkpoint.progress.frames.assign(frames.begin(), frames.end());
     checkpoint.engine.reals = read_arrays<double>(root.group("reals"));
@@ -72,6 +74,8 @@ void write_checkpoint(const fs::path& folder, const Checkpoint& checkpoint) {
             root.set_attribute("config", checkpoint.config);
             root.set_attribute("progress", progress_to_text(checkpoint.progress));
             root.write("energy", checkpoint.progress.energy.values());
+            root.write("blade_stop_x", checkpoint.progress.blade_stop.x);
+            root.write("walls", checkpoint.progress.walls.values());
             root.write("frames", as_integers(checkpoint.progress.frames));
             write_arrays(root.create_group("reals"), checkpoint.engine.reals);
             write_arrays(root.create_group("integers"), checkpoint.engine.integers);

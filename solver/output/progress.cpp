@@ -32,6 +32,7 @@ Json to_json(const StageRecord& record) {
                  {"start", to_json(record.start)},
                  {"end", to_json(record.end)}};
     if (record.packing_density) json["packing_density"] = *record.packing_density;
+    if (record.layer_end) json["layer_end"] = *record.layer_end;
     return json;
 }
 
@@ -47,6 +48,7 @@ StageRecord record_from(const Json& json) {
     record.start = ledger_from(json.at("start"));
     record.end = ledger_from(json.at("end"));
     if (json.contains("packing_density")) record.packing_density = json.at("packing_density").get<double>();
+    if (json.contains("layer_end")) record.layer_end = json.at("layer_end").get<double>();
     return record;
 }
 
@@ -63,6 +65,7 @@ std::string progress_to_text(const RunProgress& progress) {
                  {"wall_seconds", progress.wall_seconds},
                  {"stage_wall_seconds", progress.stage_wall_seconds},
                  {"start", to_json(progress.start)},
+                 {"blade_stop_rear", progress.blade_stop.rear},
                  {"finished", Json::array()}};
     for (const StageRecord& record : progress.finished) json["finished"].push_back(to_json(record));
     return json.dump();
@@ -81,6 +84,7 @@ RunProgress progress_from_text(const std::string& text) {
     progress.wall_seconds = json.at("wall_seconds");
     progress.stage_wall_seconds = json.at("stage_wall_seconds");
     progress.start = ledger_from(json.at("start"));
+    progress.blade_stop.rear = json.at("blade_stop_rear");
     for (const Json& record : json.at("finished")) progress.finished.push_back(record_from(record));
     return progress;
 }

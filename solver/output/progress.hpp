@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "solver/engine/engine.hpp"
+#include "solver/output/blade_stop.hpp"
 #include "solver/output/energy_series.hpp"
+#include "solver/output/wall_series.hpp"
 
 namespace recoat {
 
@@ -20,6 +22,7 @@ struct StageRecord {
     double kinetic_energy = 0;              ///< at its end [J]
     double largest_overlap = 0;             ///< since the start of the run [d_p]
     std::optional<double> packing_density;  ///< of the bed after filling [paper eq. 14]
+    std::optional<double> layer_end;        ///< of the layer that is as the blade left it [m]
     EnergyLedger start, end;
 };
 
@@ -36,9 +39,11 @@ struct RunProgress {
     EnergyLedger start;
     std::vector<StageRecord> finished;
     EnergySeries energy;
+    WallSeries walls;
+    BladeStop blade_stop;  ///< the last one
 };
 
-/// All but the energy series and the frames as JSON text, and back.
+/// All but the series, the frames and the places at the stop of the blade as JSON text, and back.
 std::string progress_to_text(const RunProgress& progress);
 RunProgress progress_from_text(const std::string& text);
 

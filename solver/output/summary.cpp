@@ -36,6 +36,7 @@ Json stage_json(const StageRecord& record, std::size_t particles) {
                  {"kinetic_energy", record.kinetic_energy},
                  {"largest_overlap", record.largest_overlap}};
     if (record.packing_density) json["packing_density"] = *record.packing_density;
+    if (record.layer_end) json["layer_end"] = *record.layer_end;
     json["energy"] = balance_json(record.start, record.end);
     return json;
 }

@@ -74,6 +74,19 @@ TEST(AnalysisConfiguration, TheRegionIsCutToWholeCells) {
               "analysis.yaml:1: skip_start: nothing is left of the spreading length; skip less, or give x_range");
 }
 
+/// The windows of the packing density, 3 d_p wide about nodes 0.5 d_p inside, do not reach what flowed back either.
+TEST(AnalysisConfiguration, TheRegionEndsBeforeWhatFlowedBackUnderTheBlade) {
+    SourceInfo info = state_info();
+    const auto end_of = [&](double layer_end_dp) {
+        info.layer_end = 2e-3 + layer_end_dp * 50e-6;
+        return (read("skip_start: 10 dp\nskip_end: 10 dp\n", info).x_end - 2e-3) / 50e-6;
+    };
+    EXPECT_NEAR(end_of(500), 490, 1e-9);
+    EXPECT_NEAR(end_of(491), 490, 1e-9);
+    EXPECT_NEAR(end_of(490.9), 489, 1e-9);
+    EXPECT_NEAR(end_of(470), 469, 1e-9);
+}
+
 TEST(AnalysisConfiguration, MissingKeysAreNamed) {
     EXPECT_NE(error("density: 4430\n").find("d_p: the key is missing"), std::string::npos);
     EXPECT_NE(

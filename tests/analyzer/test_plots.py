@@ -25,8 +25,11 @@ def test_standard_figures(plot, tmp_path):
     done = plot("--set", "base=-5 um", "--set", "bootstrap_resamples=0")
     assert done.returncode == 0, done.stderr
     files = sorted(file.name for file in (tmp_path / "figures").iterdir())
-    assert len(files) == 18
-    assert {Path(name).stem[:5] for name in files} == {"fig05", "fig06", "fig07", "fig10", "fig11", "fig12", "fig14", "fig15", "fig16"}
+    assert len(files) == 20
+    assert {Path(name).stem for name in files} == {
+        "layer_from_above", "height_map", "coordination_number", "vertical_distribution", "cluster_size",
+        "cluster_orientation", "surface_height", "pores_from_above", "pore_size_distribution", "pore_size_groups",
+    }  # fmt: skip
     for name in files:
         begin = (tmp_path / "figures" / name).read_bytes()[:5]
         assert begin == (b"%PDF-" if name.endswith("pdf") else b"\x89PNG\r")

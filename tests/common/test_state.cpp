@@ -92,6 +92,7 @@ TEST_F(StateFile, InfoReadsBackTheSame) {
     info.clearance = 2e-4;
     info.blade_start = 0.1;
     info.spread_length = 0.01;
+    info.layer_end = 0.107;
     info.bond_number = 50;
     info.hamaker = 1.2e-20;
     info.time_step = 2e-8;
@@ -110,6 +111,7 @@ TEST_F(StateFile, InfoReadsBackTheSame) {
     EXPECT_EQ(read.clearance, info.clearance);
     EXPECT_EQ(read.blade_start, info.blade_start);
     EXPECT_EQ(read.spread_length, info.spread_length);
+    EXPECT_EQ(read.layer_end, info.layer_end);
     EXPECT_EQ(read.bond_number, info.bond_number);
     EXPECT_EQ(read.hamaker, info.hamaker);
     EXPECT_EQ(read.time_step, info.time_step);

@@ -35,12 +35,15 @@ public:
             particles_.radius.push_back(x[i + 6]);
         }
         work_ = state.reals.at("work").at(0);
-        const auto& velocity = state.reals.at("wall_velocity");
+        const auto& places = state.reals.at("walls");
         for (const char* name : {"base", "rear", "front", "blade", "gate"}) {
-            const std::size_t i = 3 * walls_.size();
-            walls_.emplace_back();
-            walls_.back().name = name;
-            walls_.back().velocity = {velocity.at(i), velocity.at(i + 1), velocity.at(i + 2)};
+            std::size_t i = 12 * walls_.size();
+            Wall& wall = walls_.emplace_back();
+            wall.name = name;
+            for (Vec3* place : {&wall.velocity, &wall.point, &wall.lower, &wall.upper}) {
+                *place = {places.at(i), places.at(i + 1), places.at(i + 2)};
+                i += 3;
+            }
         }
     }
 
@@ -50,7 +53,10 @@ public:
             for (std::size_t i = 0; i < particles_.size(); ++i) {
                 particles_.position[i] += time_step_ * particles_.velocity[i];
             }
-            for (const Wall& wall : walls_) work_ += 1e-15 * norm(wall.velocity);
+            for (Wall& wall : walls_) {
+                work_ += 1e-15 * norm(wall.velocity);
+                for (Vec3* place : {&wall.point, &wall.lower, &wall.upper}) *place += time_step_ * wall.velocity;
+            }
             ++step_;
         }
     }
@@ -87,8 +93,8 @@ public:
         }
         state.reals["work"] = {work_};
         for (const Wall& wall : walls_) {
-            for (double v : {wall.velocity.x, wall.velocity.y, wall.velocity.z})
-                state.reals["wall_velocity"].push_back(v);
+            for (const Vec3 v : {wall.velocity, wall.point, wall.lower, wall.upper})
+                state.reals["walls"].insert(state.reals["walls"].end(), {v.x, v.y, v.z});
         }
         state.reals["nothing"] = {};
         return state;

@@ -93,6 +93,7 @@ def write_state(path, centres, stage, bond, ratio, seed, length, width, fill_len
                 "clearance": 1.5 * DIAMETER,
                 "blade_start": 0.0,
                 "spread_length": length * DIAMETER if stage == "spread" else numpy.nan,
+                "layer_end": length * DIAMETER if stage == "spread" else numpy.nan,
                 "bond_number": bond,
                 "stiffness_ratio": ratio,
             }

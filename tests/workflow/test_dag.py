@@ -57,18 +57,47 @@ def change(workflow, grid, **values):
 @pytest.mark.parametrize(
     "values, sentence",
     [
-        ({"bond_numbers": [5]}, "'bond_numbers' was unexpected"),
-        ({"seeds": []}, "[] should be non-empty"),
-        ({"layers": None}, "'layers' is a required property"),
-        ({"layers": [{"bond_numbers": [-5], "stiffness_ratios": [0.001]}]}, "-5 is less than the minimum of 0"),
-        ({"layers": [{"bond_numbers": ["high"], "stiffness_ratios": [0.001]}]}, "'high' does not match"),
-        ({"time_steps": [{"stiffness_ratio": 0.001, "time_step": "soon"}]}, "'soon' does not match"),
+        ({"bond_numbers": [5]}, "bond_numbers: there is no such key"),
+        ({"seed": [1]}, "seed: there is no such key; did you mean seeds?"),
+        ({"layers": [{"bond_nubmers": [5], "stiffness_ratios": [1]}]}, "layers[0].bond_nubmers: there is no such key; did you mean bond_numbers?"),
+        ({"bounds": {"overlap": 1}}, "bounds.overlap: there is no such key; did you mean largest_overlap?"),
+        ({"seeds": []}, "seeds: [] should be non-empty"),
+        ({"layers": None}, "the key layers is missing"),
+        ({"layers": [{"bond_numbers": [-5], "stiffness_ratios": [0.001]}]}, "layers[0].bond_numbers[0]: -5 is less than the minimum of 0"),
+        ({"layers": [{"bond_numbers": ["high"], "stiffness_ratios": [0.001]}]}, "layers[0].bond_numbers[0]: \"high\" is not possible here (A number"),
+        ({"time_steps": [{"stiffness_ratio": 0.001, "time_step": "soon"}]}, "time_steps[0].time_step: \"soon\" is not possible here"),
+        ({"gpus": "one"}, "gpus: 'one' is not of type 'integer'"),
     ],
-)
-def test_bad_grid_is_refused(workflow, doubles, values, sentence):
+)  # fmt: skip
+def test_bad_grid_is_refused_with_one_sentence(workflow, doubles, values, sentence):
     change(workflow, "smoke", **values)
+    code, output = workflow("--dry-run", "--quiet", "all", "--configfile", "config/smoke.yaml", build=doubles)
+    said = [line for line in output.splitlines() if line.startswith("recoat:")]
+    assert code == 2 and len(said) == 1 and sentence in said[0], output
+    assert said[0].startswith("recoat: config/smoke.yaml, line ") and len(said[0]) < 300
+    assert "Traceback" not in output and "jsonschema" not in output
+
+
+def test_the_line_of_a_misspelt_key_is_told(workflow, doubles):
+    path = workflow.folder / "config/smoke.yaml"
+    lines = path.read_text().splitlines()
+    number = next(k for k, line in enumerate(lines) if "bond_numbers" in line)
+    lines[number] = lines[number].replace("bond_numbers", "bond_number")
+    path.write_text("\n".join(lines))
     code, output = workflow("--dry-run", "--configfile", "config/smoke.yaml", build=doubles)
-    assert code != 0 and sentence in output, output
+    assert code == 2 and f"config/smoke.yaml, line {number + 1}: layers[0].bond_number: " in output, output
+
+
+def test_a_misspelt_option_of_the_command_line_is_told(workflow, doubles):
+    code, output = workflow("--dry-run", "--configfile", "config/smoke.yaml", "--config", "gpu=1", f"build_directory={doubles}")
+    assert code == 2 and "recoat: --config: gpu: there is no such key; did you mean gpus?" in output, output
+
+
+def test_a_misspelt_key_of_the_scene_is_told(workflow, doubles):
+    path = workflow.folder / "config/scene.yaml"
+    path.write_text(path.read_text().replace("clearance:", "clearence:"))
+    code, output = workflow("--dry-run", "--configfile", "config/smoke.yaml", build=doubles)
+    assert code == 2 and "config/scene.yaml, line" in output and "did you mean clearance?" in output, output
 
 
 def test_case_without_a_time_step_takes_the_automatic_one(workflow, doubles):

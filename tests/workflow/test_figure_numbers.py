@@ -1,17 +1,19 @@
 """Numbers that the figures compute themselves."""
 
 import json
+import math
 
 import numpy
 import pytest
 from derived_table import flatten, table as derived_table
 from fig06_coordination_number import coordination_shares
 from fig10_cluster_size import class_label, shares_of as cluster_shares, size_classes
-from fig12_surface_height import height_shares
+from fig12_surface_height import class_edges, height_shares
 from fig15_pore_size_distribution import cumulative
 from layers import Layer, by_bond
 from metrics_table import perpendicular
 from pore_metrics import pore_scalars
+from readable import duration, quantity
 from report import cell
 from runtime_table import table as runtime_table
 from style import bond_panels
@@ -50,11 +52,38 @@ def test_cluster_classes_are_those_of_the_report_without_single_particles(tmp_pa
 
 
 def test_missing_classes_are_empty_ones(tmp_path):
-    uncertainty = {"height": {"empty_fraction": of(0.4), "fraction": of([0.1, 0.5])}, "clusters": {"cn_fraction": of([1.0])}}
-    found = layer(tmp_path, uncertainty=uncertainty)
-    values, _, upper = height_shares(found, 4)
-    assert values.tolist() == [0.4, 0.1, 0.5, 0, 0] and upper.tolist() == pytest.approx([0.42, 0.12, 0.52, 0, 0])
+    found = layer(tmp_path, uncertainty={"clusters": {"cn_fraction": of([1.0])}})
     assert [part.tolist() for part in coordination_shares([found], 2)] == [[1, 0, 0], [0.99, 0, 0], [1.02, 0, 0]]
+
+
+def test_classes_of_height_are_closed_above(tmp_path):
+    """0; (0, 0.75]; (0.75, 1]; (1, 1.25]; what is low is in one class, and the last class holds the highest point."""
+    made = {"block_columns": 1, "resamples": 200, "seed": 1}
+    found = layer(tmp_path, maps={"height": [[0.0, 0.3], [0.75, 1.0], [1.0, 1.25], [0.0, 0.9]]}, uncertainty=made)
+    edges = class_edges([found])
+    assert edges.tolist() == [0.75, 1.0, 1.25]
+    values, lower, upper = height_shares(found, edges)
+    assert values.tolist() == [0.25, 0.25, 0.375, 0.125]
+    assert (lower <= values).all() and (upper >= values).all() and lower[2] < upper[2]
+
+
+@pytest.mark.parametrize(
+    "seconds, text",
+    [(0.0022, "0.0022 s"), (59.4, "59.4 s"), (60, "1 min"), (250, "4 min 10 s"), (3600, "1 h"), (7530, "2 h 6 min"), (273600, "3 d 4 h")],
+)
+def test_durations(seconds, text):
+    assert duration(seconds) == text
+
+
+@pytest.mark.parametrize(
+    "value, unit, text",
+    [
+        (2e-7, "s", "200 ns"), (2.2e-6, "s", "2.2 us"), (5e-5, "m", "50 um"), (110e9, "Pa", "110 GPa"), (2.899e-10, "kg", "289.9 ng"),
+        (0.99999999, "s", "1 s"), (0, "m", "0 m"), (8.4947, "d_p", "8.495 d_p"), (math.inf, "s", "infinite"), (1e-20, "J", "1e-20 J"), (0.05, "m/s", "50 mm/s"), (1.234e7, "", "12.34 M"),
+    ],
+)  # fmt: skip
+def test_quantities(value, unit, text):
+    assert quantity(value, unit) == text
 
 
 def test_cumulative_share():

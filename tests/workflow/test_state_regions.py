@@ -73,8 +73,27 @@ def test_layer_region_is_a_whole_number_of_cells(state):
     assert (end - start) / DIAMETER == pytest.approx(30)
 
 
+def test_layer_region_ends_before_what_flowed_back_under_the_blade(state):
+    def end(layer_end):
+        state.info["layer_end"] = layer_end * DIAMETER
+        return layer_region(state, 20, 10, {})["x_range"][1] / DIAMETER
+
+    assert end(60) == pytest.approx(50)
+    assert end(51) == pytest.approx(50), "the region and its windows are not reached"
+    assert end(50.9) == pytest.approx(49)
+    assert end(43.2) == pytest.approx(42)
+    with pytest.raises(Implausible, match="powder flowed back over the last 37"):
+        end(23)
+
+
+def test_state_without_the_end_of_the_layer_is_refused(state):
+    del state.info["layer_end"]
+    with pytest.raises(Implausible, match="older recoat-solve wrote it; make it again"):
+        layer_region(state, 20, 10, {})
+
+
 def test_paper_region(state):
-    state.info["spread_length"] = 500 * DIAMETER
+    state.info["spread_length"] = state.info["layer_end"] = 500 * DIAMETER
     assert layer_region(state, 100, 10, {})["x_range"] == pytest.approx([100 * DIAMETER, 490 * DIAMETER])
 
 

@@ -32,7 +32,11 @@ def test_grid_to_report_and_nothing_to_do_afterwards(workflow, doubles):
     figures = sorted((workflow.folder / "results/smoke/figures").glob("*.png"))
     assert len(figures) == 14
     assert page.count("data:image/png;base64,") == 14
-    assert not re.search(r'(src|href)="(?!data:|#)', page)
+    links = re.findall(r'(?:src|href)="(?!data:|#)([^"]*)"', page)
+    assert sorted(links) == sorted(f"figures/{figure.stem}.pdf" for figure in figures)
+    assert set(re.findall(r'href="#([^"]*)"', page)) <= set(re.findall(r'id="([^"]*)"', page))
+    assert re.search(r"Of \d+ statements .*\d+ agree, \d+ differ, \d+ cannot be told", page, re.DOTALL)
+    assert page.count("<table>") == page.count('<div class="scroll"><table>')
     for text in ("seed 1", "version 0.0-double", "layers/bond-50_ratio-0.001_seed-1/layer.json", "paper says"):
         assert text in page
     for figure in figures:

@@ -1,18 +1,31 @@
 # The cases of the grid and where their files are. Every path below results/ is made by grid_file or case_file.
 
 import json
+import math
 import os
 import shlex
+import sys
 from collections import namedtuple
 from itertools import product
 from pathlib import Path
 
 import yaml
+from configuration import refusal
 from snakemake.utils import validate
 
-# The same schema that the solver's reader answers to.
+
+def require(data, schema, files):
+    """Stop with one sentence, as bad input, where data that was read from these files is not as the schema says."""
+    sentence = refusal(data, f"{workflow.basedir}/config/schema/{schema}", files)
+    if sentence:
+        print(f"recoat: {sentence}", file=sys.stderr)
+        sys.exit(2)
+
+
+require(config, "grid.schema.json", workflow.configfiles)
+validate(config, "../../config/schema/grid.schema.json")  # puts in the defaults
 with open(config["scene"]) as scene_file:
-    validate(yaml.safe_load(scene_file), "../../config/schema/scene.schema.json")
+    require(yaml.safe_load(scene_file), "scene.schema.json", [config["scene"]])
 
 
 wildcard_constraints:
@@ -183,6 +196,27 @@ def sweep_report(kind):
         return [grid_file(f"sweeps/{name}.txt") for name, cases in SWEEPS.items() if wanted in cases]
 
     return report
+
+
+def expected_seconds(file):
+    """Run time at most of one case [s], as recoat-solve check measured it."""
+    with open(file) as derived:
+        return json.load(derived)["expected"]["seconds"]
+
+
+def minutes(seconds):
+    """Run time to ask for: half as much again, since machines differ, and ten minutes; no more than the grid says."""
+    return min(10 + math.ceil(1.5 * seconds / 60), math.ceil(60 * config["longest_job_hours"]))
+
+
+def run_time(wildcards, input):
+    """Run time of the job that simulates one case [min]; not known before its derived.json is there."""
+    return minutes(expected_seconds(input.derived))
+
+
+def sweep_run_time(wildcards, input):
+    """Run time of a sweep [min]: its cases share one device."""
+    return minutes(sum(expected_seconds(file) for file in input.derived))
 
 
 def sweep_device(name):

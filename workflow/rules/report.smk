@@ -139,7 +139,7 @@ rule report:
         captions="workflow/report/figures.yaml",
         template="workflow/report/report.html.j2",
         script=script_file("report"),
-        modules=[script_file("reporting")],
+        modules=[script_file(name) for name in ("readable", "verdicts", "reporting")],
     output:
         grid_file("report.html"),
     params:

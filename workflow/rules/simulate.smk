@@ -11,6 +11,7 @@ rule simulate_layer:
     input:
         solver=SOLVER,
         scene=config["scene"],
+        derived=ancient(case_file("derived.json", kind="layers")),
     output:
         fill=case_file("fill.vtkhdf", kind="layers"),
         heap=case_file("heap.vtkhdf", kind="layers"),
@@ -25,6 +26,8 @@ rule simulate_layer:
     benchmark:
         case_file("solve.tsv", kind="layers")
     threads: config["solver_threads"]
+    resources:
+        runtime=run_time,
     conda:
         ENVIRONMENT
     shell:
@@ -40,6 +43,7 @@ rule simulate_fill:
     input:
         solver=SOLVER,
         scene=config["scene"],
+        derived=ancient(case_file("derived.json", kind="fills")),
     output:
         fill=case_file("fill.vtkhdf", kind="fills"),
         summary=case_file("summary.json", kind="fills"),
@@ -52,6 +56,8 @@ rule simulate_fill:
     benchmark:
         case_file("solve.tsv", kind="fills")
     threads: config["solver_threads"]
+    resources:
+        runtime=run_time,
     conda:
         ENVIRONMENT
     shell:

@@ -34,6 +34,7 @@ rule sweep:
         solver=SOLVER,
         scene=config["scene"],
         file=grid_file("sweeps/{sweep}.yaml"),
+        derived=lambda wildcards: [ancient(file) for file in case_files("derived.json", SWEEPS[wildcards.sweep])],
     output:
         grid_file("sweeps/{sweep}.txt"),
     params:
@@ -47,6 +48,7 @@ rule sweep:
     threads: lambda wildcards: config["solver_threads"] * len(SWEEPS[wildcards.sweep])
     resources:
         gpu=config["gpus"],
+        runtime=sweep_run_time,
     conda:
         ENVIRONMENT
     shell:

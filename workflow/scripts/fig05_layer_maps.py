@@ -5,9 +5,21 @@ from matplotlib.collections import EllipseCollection
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PACKING_MAP, PAGE, bond_label, coordination_colours, coordination_ticks, pyplot, save
+from style import PACKING_MAP, PAGE, bond_label, coordination_colours, coordination_ticks, pyplot, save, scale_bar
 
 SECTION = 80  # longest part of a layer that is shown [d_p]
+SEEDS = 2  # runs of each Bond number that are shown
+
+
+def shown_layers(layers):
+    """The first runs of every Bond number."""
+    return [layer for members in by_bond(layers).values() for layer in members[:SEEDS]]
+
+
+def row_label(layer, shown):
+    """Bond number, and the seed where several are shown."""
+    several = sum(other.bond == layer.bond for other in shown) > 1
+    return bond_label(layer.bond) + (f", seed {layer.seed}" if several else "")
 
 
 def draw_particles(axes, layer, extent, colours, norm, classes):
@@ -37,7 +49,7 @@ def draw_particles(axes, layer, extent, colours, norm, classes):
 
 
 def draw(layers):
-    shown = [members[0] for members in by_bond(layers).values()]
+    shown = shown_layers(layers)
     length = min(SECTION, min(layer.x_range[1] - layer.x_range[0] for layer in shown))
     largest = max(len(layer.metrics["clusters"]["cn_counts"]) - 1 for layer in shown)
     colours, norm, classes = coordination_colours(largest)
@@ -64,7 +76,9 @@ def draw(layers):
             axes.set_xlim(*extent)
             axes.set_ylim(0, layer.width)
             axes.spines[["top", "right"]].set_visible(True)
-        left.set_ylabel(f"{bond_label(layer.bond)}\n$y/d_p$")
+        left.set_ylabel(f"{row_label(layer, shown)}\n$y/d_p$")
+    for axes in panels[0]:
+        scale_bar(axes)
     for axes in panels[-1]:
         axes.set_xlabel(r"$x/d_p$ [–] (spreading direction)")
     bar = figure.colorbar(disks, ax=panels[:, 0], location="bottom", ticks=range(classes), shrink=0.8, aspect=35)
@@ -79,4 +93,4 @@ def draw(layers):
 if __name__ == "__main__":
     with logged(snakemake):
         layers = load_layers(snakemake)
-        save(draw(layers), snakemake, layers, "One seed of each Bond number is shown.")
+        save(draw(layers), snakemake, layers, f"At most {SEEDS} seeds of each Bond number are shown.")

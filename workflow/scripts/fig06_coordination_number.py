@@ -4,7 +4,7 @@ import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_label, bond_panels, grouped_bars, pyplot, save
+from style import PAGE, bond_colours, bond_label, bond_panels, grouped_bars, mean_and_range, particles_of, pyplot, save
 
 
 def padded(shares, count):
@@ -14,11 +14,9 @@ def padded(shares, count):
 
 def coordination_shares(members, largest):
     """Mean over the seeds of the shares of CN = 0..largest, with the bootstrap interval or the range of the seeds."""
-    results = [[padded(part, largest + 1) for part in layer.estimate("clusters", "cn_fraction")] for layer in members]
-    if len(results) == 1:
-        return results[0]
-    values = numpy.array([value for value, _, _ in results])
-    return values.mean(axis=0), values.min(axis=0), values.max(axis=0)
+    return mean_and_range(
+        [[padded(part, largest + 1) for part in layer.estimate("clusters", "cn_fraction")] for layer in members]
+    )
 
 
 def draw(layers):
@@ -28,12 +26,15 @@ def draw(layers):
     panels = bond_panels(groups)
     figure, row = pyplot.subplots(1, len(panels), figsize=(PAGE, 0.38 * PAGE), sharey=True, squeeze=False)
     for axes, (title, bonds) in zip(row[0], panels):
-        results = {bond: coordination_shares(groups[bond], largest) for bond in bonds}
+        results = {
+            bond_label(bond, particles_of(groups[bond])): (colours[bond], *coordination_shares(groups[bond], largest))
+            for bond in bonds
+        }
         grouped_bars(
             axes,
             [str(number) for number in range(largest + 1)],
-            {bond_label(bond): (100 * result[0], colours[bond]) for bond, result in results.items()},
-            {bond_label(bond): (100 * result[1], 100 * result[2]) for bond, result in results.items()},
+            {label: (100 * value, colour) for label, (colour, value, _, _) in results.items()},
+            {label: (100 * lower, 100 * upper) for label, (_, _, lower, upper) in results.items()},
         )
         axes.set_title(title)
         axes.set_xlabel("Coordination number [–]")

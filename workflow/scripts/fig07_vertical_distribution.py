@@ -4,41 +4,51 @@ import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import COLUMN, MARKERS, bond_colours, bond_label, pyplot, save
+from style import COLUMN, MARKERS, bond_colours, bond_label, error_bars, mean_and_range, particles_of, pyplot, save
+
+BIN = 0.1  # d_p
+DODGE = 0.07  # d_p over which the Bond numbers are set apart within a bin
 
 
-def vertical_shares(members):
-    """Heights of the bins and the mean over the seeds of their shares."""
-    edge = max(len(layer.metrics["vertical"]["bin_centres"]) for layer in members)
-    longest = max(members, key=lambda layer: len(layer.metrics["vertical"]["bin_centres"]))
-    shares = [numpy.pad(f := layer.metrics["vertical"]["fraction"], (0, edge - len(f))) for layer in members]
-    return numpy.array(longest.metrics["vertical"]["bin_centres"]), numpy.mean(shares, axis=0)
+def bin_numbers(layer):
+    """Number of the bin, centred on a multiple of 0.1 d_p, that the centre of each particle of the file is in."""
+    return numpy.floor(layer.state.points[:, 2] / layer.diameter / BIN + 0.5 + 1e-6).astype(int)
+
+
+def vertical_shares(members, bins):
+    """Shares of the bins with bootstrap interval (one run) or range (several)."""
+    results = [layer.share_interval(numpy.minimum(bin_numbers(layer), bins), bins) for layer in members]
+    return mean_and_range(results)
+
+
+def runs(found):
+    """Stretches of neighbouring bins that hold particles."""
+    return numpy.split(found, numpy.flatnonzero(numpy.diff(found) > 1) + 1)
 
 
 def draw(layers):
     groups = by_bond(layers)
     colours = bond_colours(groups)
-    figure, axes = pyplot.subplots(figsize=(COLUMN, 0.85 * COLUMN))
-    for (bond, members), marker in zip(groups.items(), MARKERS):
-        heights, shares = vertical_shares(members)
-        found = shares > 0
-        axes.plot(
-            heights[found],
-            100 * shares[found],
-            color=colours[bond],
-            marker=marker,
-            markersize=3.5,
-            linewidth=0.9,
-            label=bond_label(bond),
-        )
+    bins = max(len(layer.metrics["vertical"]["fraction"]) for layer in layers)
+    figure, axes = pyplot.subplots(figsize=(COLUMN, 0.95 * COLUMN))
+    shifts = DODGE * (numpy.arange(len(groups)) / max(len(groups) - 1, 1) - 0.5)
+    for (bond, members), marker, shift in zip(groups.items(), MARKERS, shifts):
+        shares, lower, upper = (100 * part for part in vertical_shares(members, bins))
+        found = numpy.flatnonzero(shares > 0)
+        places = BIN * numpy.arange(bins) + shift
+        style = {"color": colours[bond], "markersize": 3.5, "markeredgecolor": "black", "markeredgewidth": 0.3}
+        axes.plot([], [], marker, label=bond_label(bond, particles_of(members)), **style)
+        for stretch in runs(found):
+            axes.plot(places[stretch], shares[stretch], marker=marker, linewidth=0.7, zorder=5, **style)
+        error_bars(axes, places[found], shares[found], numpy.maximum(lower[found], 1e-3), upper[found], capsize=0)
     axes.set_yscale("log")
     axes.set_yticks([0.1, 1, 10, 100], ["0.1", "1", "10", "100"])
-    axes.set_ylim(0.05, 130)
+    axes.set_ylim(0.05, 150)
     axes.axvline(1.0, color="grey", linewidth=0.6, linestyle=":")
-    axes.set_xlim(0.3, 1.6)
+    axes.set_xlim(0.4, max(1.25, BIN * bins))
     axes.set_xlabel(r"Height of the particle centre $z/d_p$ [–]")
     axes.set_ylabel("Share of particles in 0.1 $d_p$ [%]")
-    axes.legend(ncols=2)
+    axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.45, 1.0), columnspacing=1.0)
     return figure
 
 

@@ -7,6 +7,8 @@ from layers import by_bond, load_layers
 from reporting import logged
 from style import PAGE, bond_colours, bond_series, pyplot, save
 
+CUT = 1.6  # an interval may reach so much above the largest value; what is longer is cut off, with an arrow
+
 
 def draw_boxes(axes, groups, colours):
     """Panel (a): the nodes of all seeds of a Bond number in one box."""
@@ -28,16 +30,32 @@ def spread_of(layer):
     return layer.estimate("phi_exact", "iqr_over_median")
 
 
+def draw_spread(axes, groups):
+    """Panel (b), at the places of panel (a); what cannot be drawn is said there."""
+    places = range(1, len(groups) + 1)
+    bond_series(axes, groups, spread_of, places)
+    values = [numpy.mean([spread_of(layer)[0] for layer in members]) for members in groups.values()]
+    top = CUT * numpy.nanmax([*values, 0.1])
+    axes.set_ylim(0, top)
+    for place, value, members in zip(places, values, groups.values()):
+        if not numpy.isfinite(value):
+            axes.text(place, 0.02 * top, "median 0:\nno ratio", ha="center", va="bottom", rotation=90, fontsize=6.5)
+        elif len(members) == 1 and spread_of(members[0])[2] > top:
+            axes.annotate("", (place, top), (place, 0.92 * top), arrowprops={"arrowstyle": "-|>", "color": "black"})
+            upper = spread_of(members[0])[2]
+            axes.text(place, top, f"to {upper:.2g}", ha="center", va="bottom", fontsize=6.5)
+    axes.set_xticks(places, [f"{bond:g}" for bond in groups])
+    axes.set_xlim(0.5, len(groups) + 0.5)
+    axes.set_xlabel("Bond number Bo [–]")
+    axes.set_ylabel(r"IQR / median of $\phi$ [–]")
+    axes.set_title("(b)")
+
+
 def draw(layers):
     groups = by_bond(layers)
     figure, (left, right) = pyplot.subplots(1, 2, figsize=(PAGE, 0.4 * PAGE))
     draw_boxes(left, groups, bond_colours(groups))
-    bond_series(right, groups, spread_of)
-    # An interval whose median comes close to nothing is cut off, or it would hide all the others.
-    values = [spread_of(layer)[0] for layer in layers]
-    right.set_ylim(0, 1.5 * numpy.nanmax([*values, 0.1]))
-    right.set_ylabel(r"IQR / median of $\phi$ [–]")
-    right.set_title("(b)")
+    draw_spread(right, groups)
     return figure
 
 

@@ -6,7 +6,7 @@ import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_label, bond_panels, grouped_bars, pyplot, save
+from style import PAGE, bond_colours, bond_label, bond_panels, grouped_bars, mean_and_range, particles_of, pyplot, save
 
 
 def size_classes(layer):
@@ -25,10 +25,7 @@ def class_label(first, last):
 def shares_of(members):
     """Mean shares of size_classes with bootstrap interval (one run) or range (several)."""
     results = [layer.estimate("clusters", "size_class_fraction") for layer in members]
-    if len(results) == 1:
-        return [part[1:] for part in results[0]]
-    values = numpy.array([value[1:] for value, _, _ in results])
-    return values.mean(axis=0), values.min(axis=0), values.max(axis=0)
+    return mean_and_range([[part[1:] for part in result] for result in results])
 
 
 def draw(layers):
@@ -36,20 +33,21 @@ def draw(layers):
     colours = bond_colours(groups)
     panels = bond_panels(groups)
     results = {bond: shares_of(members) for bond, members in groups.items()}
-    used = max(numpy.flatnonzero(values).max(initial=1) for values, _, _ in results.values()) + 1
-    labels = [class_label(*sizes) for sizes in size_classes(layers[0])][:used]
-    figure, row = pyplot.subplots(1, len(panels), figsize=(PAGE, 0.4 * PAGE), sharey=True, squeeze=False)
-    for axes, (title, bonds) in zip(row[0], panels):
+    figure, rows = pyplot.subplots(len(panels), 1, figsize=(PAGE, 0.32 * PAGE * len(panels)), squeeze=False)
+    for axes, (title, bonds) in zip(rows[:, 0], panels):
+        used = numpy.flatnonzero(numpy.any([results[bond][0] > 0 for bond in bonds], axis=0))
+        sizes = size_classes(layers[0])
+        names = {bond: bond_label(bond, particles_of(groups[bond])) for bond in bonds}
         grouped_bars(
             axes,
-            labels,
-            {bond_label(bond): (100 * results[bond][0][:used], colours[bond]) for bond in bonds},
-            {bond_label(bond): (100 * results[bond][1][:used], 100 * results[bond][2][:used]) for bond in bonds},
+            [class_label(*sizes[k]) for k in used],
+            {names[bond]: (100 * results[bond][0][used], colours[bond]) for bond in bonds},
+            {names[bond]: (100 * results[bond][1][used], 100 * results[bond][2][used]) for bond in bonds},
         )
         axes.set_title(title)
-        axes.set_xlabel("Cluster size [particles]")
-        axes.legend()
-    row[0][0].set_ylabel("Share of particles [%]")
+        axes.set_xlabel("Cluster size [particles]; classes that nobody is in are left out")
+        axes.set_ylabel("Share of particles [%]")
+        axes.legend(ncols=2)
     return figure
 
 

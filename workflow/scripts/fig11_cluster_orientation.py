@@ -5,14 +5,39 @@ from matplotlib.patches import Patch
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_label, bond_panels, pyplot, save
+from style import PAGE, bond_colours, bond_label, bond_panels, error_bars, mean_and_range, particles_of, pyplot, save
 
 GROUPS = {"2": 1.0, "3-4": 0.6, ">=5": 0.25}  # size of the cluster: strength of the colour
+FEW = 10  # particles in a bar, below which their number stands over it
+
+
+def angle_shares(members, edges):
+    """Shares of all particles of the region by the angle of their cluster, with intervals; the rest has no angle."""
+    bins = len(edges) - 1
+    results = []
+    for layer in members:
+        angle = numpy.nan_to_num(layer.cluster_angle, nan=edges[-1] + 1)
+        number = numpy.minimum(numpy.searchsorted(edges[1:-1], angle + 1e-9, side="left"), bins - 1)
+        # particles on their own and clusters without a direction make up the last group, which is not drawn
+        with_angle = numpy.isfinite(layer.cluster_angle) & (layer.cluster_size > 1)
+        parts = layer.share_interval(numpy.where(with_angle, number, bins), bins + 1)
+        results.append([part[:bins] for part in parts])
+    return mean_and_range(results)
 
 
 def tint(colour, strength):
     """The colour mixed with white."""
     return tuple(1 - strength * (1 - part) for part in colour[:3])
+
+
+def add_scatter(axes, members, edges, middles, tops):
+    """Intervals of the whole bars, and the numbers of particles of small ones."""
+    _, lower, upper = (100 * part for part in angle_shares(members, edges))
+    error_bars(axes, middles, tops, numpy.minimum(lower, tops), numpy.maximum(upper, tops), capsize=0.8)
+    counts = numpy.round(tops / 100 * particles_of(members)).astype(int)
+    for middle, top, high, count in zip(middles, tops, upper, counts):
+        if 0 < count < FEW:
+            axes.text(middle, max(top, high), f"{count}", ha="center", va="bottom", fontsize=5.5)
 
 
 def draw_panel(axes, groups, bonds, colours):
@@ -36,6 +61,7 @@ def draw_panel(axes, groups, bonds, colours):
                 linewidth=0.25,
             )
             bottom += heights
+        add_scatter(axes, groups[bond], edges, left + 0.5 * width, bottom)
     axes.set_xticks(edges)
     axes.set_xlabel("Angle to the spreading direction [°]")
 
@@ -50,9 +76,10 @@ def draw(layers):
         axes.set_title(title)
         axes.set_ylabel("Share of particles [%]")
         axes.margins(x=0.01)
-        axes.set_ylim(top=1.05 * axes.dataLim.y1)
+        axes.set_ylim(top=1.1 * axes.dataLim.y1)
         hues = [
-            Patch(facecolor=colours[bond], edgecolor="black", linewidth=0.3, label=bond_label(bond)) for bond in bonds
+            Patch(facecolor=colours[bond], edgecolor="black", linewidth=0.3, label=bond_label(bond, particles_of(groups[bond])))
+            for bond in bonds
         ]
         tints = [
             Patch(

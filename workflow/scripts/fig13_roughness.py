@@ -2,7 +2,7 @@
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import COLUMN, bond_series, pyplot, save
+from style import COLUMN, bond_axis, bond_series, pyplot, save
 
 
 def roughness_of(layer):
@@ -12,7 +12,9 @@ def roughness_of(layer):
 
 def draw(layers):
     figure, axes = pyplot.subplots(figsize=(COLUMN, 0.75 * COLUMN))
-    bond_series(axes, by_bond(layers), roughness_of)
+    groups = by_bond(layers)
+    bond_series(axes, groups, roughness_of)
+    bond_axis(axes, list(groups))
     axes.set_ylim(bottom=0)
     axes.set_ylabel(r"Surface roughness $Ra/d_p$ [–]")
     return figure

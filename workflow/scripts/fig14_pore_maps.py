@@ -2,11 +2,12 @@
 
 import numpy
 from matplotlib.collections import EllipseCollection
-from matplotlib.colors import ListedColormap
+from matplotlib.colors import ListedColormap, LogNorm
+from matplotlib.patches import Patch
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_label, pyplot, save
+from style import PAGE, bond_label, pyplot, save, scale_bar
 
 SECTION = 80  # longest part of a layer that is shown [d_p]
 ORIENTATION, SIZE = "viridis", "plasma"
@@ -52,20 +53,20 @@ def draw_density_pores(axes, layer, extent):
     return image
 
 
-def draw_chambers(axes, layer, largest):
+def draw_chambers(axes, layer, norm):
     """Circles of the chambers, coloured by their diameter."""
     x, y, diameter = layer.chambers.T
-    circles = disks(axes, x + layer.x_range[0], y, diameter, cmap=SIZE, edgecolors="black", linewidths=0.2)
+    circles = disks(axes, x + layer.x_range[0], y, diameter, cmap=SIZE, norm=norm, edgecolors="black", linewidths=0.2)
     circles.set_array(numpy.tile(diameter, 3))
-    circles.set_clim(0, largest)
     return circles
 
 
 def draw(layers):
     shown = [members[0] for members in by_bond(layers).values()]
     length = min(SECTION, min(layer.x_range[1] - layer.x_range[0] for layer in shown))
-    # The few chambers of a nearly empty layer would leave the others one colour.
-    largest = numpy.ceil(numpy.percentile(numpy.concatenate([layer.chambers[:, 2] for layer in shown] + [[1.0]]), 99))
+    # Logarithmic: the few chambers of a nearly empty layer would leave all others one colour.
+    sizes = numpy.concatenate([layer.chambers[:, 2] for layer in shown] + [[0.5, 1.0]])
+    norm = LogNorm(sizes.min(), sizes.max())
     row = 0.42 * PAGE * shown[0].width / length + 0.14
     figure, panels = pyplot.subplots(
         len(shown), 2, figsize=(PAGE, len(shown) * row + 0.8), sharex=False, sharey=True, squeeze=False
@@ -80,16 +81,24 @@ def draw(layers):
             draw_particles(axes, layer)
         image = draw_density_pores(left, layer, extent)
         left.set_ylim(0, layer.width)
-        circles = draw_chambers(right, layer, largest)
+        circles = draw_chambers(right, layer, norm)
         left.set_ylabel(f"{bond_label(layer.bond)}\n$y/d_p$")
         for axes in (left, right):
             axes.tick_params(labelbottom=layer is shown[-1])
+    for axes in panels[0]:
+        scale_bar(axes)
     for axes in panels[-1]:
         axes.set_xlabel(r"$x/d_p$ [–] (spreading direction)")
     bar = figure.colorbar(image, ax=panels[:, 0], location="bottom", shrink=0.8, aspect=35, ticks=range(0, 91, 15))
     bar.set_label("Angle of density pore to the spreading direction [°]")
-    bar = figure.colorbar(circles, ax=panels[:, 1], location="bottom", shrink=0.8, aspect=35, extend="max")
+    bar = figure.colorbar(circles, ax=panels[:, 1], location="bottom", shrink=0.8, aspect=35)
+    ticks = [size for size in (0.5, 1, 2, 5, 10, 20, 50) if sizes.min() <= size <= sizes.max()]
+    bar.set_ticks(ticks, labels=[f"{size:g}" for size in ticks])
+    bar.ax.minorticks_off()
     bar.set_label(r"Diameter of chamber pore $D/d_p$ [–]")
+    greys = {"particles": PARTICLE, "density pore without direction, or round the period": NO_ANGLE}
+    patches = [Patch(color=grey, label=label) for label, grey in greys.items()]
+    figure.legend(handles=patches, loc="outside upper center", ncols=2)
     return figure
 
 

@@ -1,11 +1,14 @@
 """Figure 15: cumulative size distribution of (a) density pores, (b) chamber pores."""
 
+from itertools import cycle
+
 import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_label, pyplot, save
+from style import LINES, PAGE, bond_colours, bond_label, pyplot, save
 
+FEWEST_FOR_CURVE = 5  # pores; a step of a quarter is no distribution
 FEWEST_FOR_BAND = 20  # pores; the band of fewer would cover the whole panel
 
 
@@ -28,14 +31,16 @@ def cumulative(sizes, at):
 
 def draw_panel(axes, groups, colours, sizes_of):
     """A step curve for each Bond number over the sizes of all its seeds; the band is the interval of a single run."""
-    for bond, members in groups.items():
+    for (bond, members), line in zip(groups.items(), cycle(LINES)):
         sizes = numpy.sort(numpy.concatenate([sizes_of(layer)[1] for layer in members]))
-        if len(sizes) == 0:
-            axes.plot([], [], color=colours[bond], label=f"{bond_label(bond)} (none)")
+        label = bond_label(bond, len(sizes))
+        style = {"color": colours[bond], "linestyle": line, "zorder": 3}
+        if len(sizes) < FEWEST_FOR_CURVE:
+            axes.plot([], [], " ", label=f"{label}: no curve")
+            axes.plot(sizes, numpy.full(len(sizes), 2.0), "|", color=colours[bond], markersize=7)
             continue
-        label = f"{bond_label(bond)} ({len(sizes)})"
         steps = numpy.append(0, numpy.unique(sizes))
-        axes.step(steps, 100 * cumulative(sizes, steps), where="post", color=colours[bond], label=label, zorder=3)
+        axes.step(steps, 100 * cumulative(sizes, steps), where="post", label=label, **style)
         if len(members) > 1 or len(sizes) < FEWEST_FOR_BAND:
             continue
         x, single = sizes_of(members[0])
@@ -43,7 +48,7 @@ def draw_panel(axes, groups, colours, sizes_of):
         axes.fill_between(steps, 100 * lower, 100 * upper, step="post", color=colours[bond], alpha=0.12, linewidth=0)
     axes.set_xlim(left=0)
     axes.set_ylim(0, 102)
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=3, columnspacing=1.0)
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, columnspacing=1.0)
 
 
 def draw(layers):
@@ -54,8 +59,9 @@ def draw(layers):
     draw_panel(right, groups, colours, chamber_sizes)
     left.set_xlabel(r"Equivalent diameter of density pore $D/d_p$ [–]")
     right.set_xlabel(r"Diameter of chamber pore $D/d_p$ [–]")
-    left.set_title("(a) density pores", pad=30)
-    right.set_title("(b) chamber pores", pad=30)
+    pad = 6 + 11 * -(-len(groups) // 2)
+    left.set_title("(a) density pores", pad=pad)
+    right.set_title("(b) chamber pores", pad=pad)
     left.set_ylabel("Cumulative share of pores [%]")
     return figure
 

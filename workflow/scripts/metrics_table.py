@@ -42,6 +42,13 @@ def coordination_share(layer, number):
     return tuple(part[number] if number < len(part) else 0.0 for part in values)
 
 
+def flowed_back(layer):
+    """How far behind the blade powder has come back since it stopped [d_p]."""
+    info = layer.state.info
+    blade = float(info["blade_start"]) + float(info["spread_length"])
+    return max((blade - float(info["layer_end"])) / layer.diameter, 0.0)
+
+
 def scalars(layer):
     """Name -> (value, lower, upper)."""
     metrics, height = layer.metrics, layer.height
@@ -55,6 +62,8 @@ def scalars(layer):
         "height_above_1": node_share(layer, height > 1 + 1e-6),
         "height_largest_dp": (metrics["height"]["max"], *UNKNOWN),
         "particles": (metrics["clusters"]["n_particles"], *UNKNOWN),
+        "region_length_dp": (layer.x_range[1] - layer.x_range[0], *UNKNOWN),
+        "flowed_back_dp": (flowed_back(layer), *UNKNOWN),
         "largest_coordination_number": (len(metrics["clusters"]["cn_counts"]) - 1, *UNKNOWN),
         "largest_cluster": (max(map(int, metrics["clusters"]["size_fraction"])), *UNKNOWN),
         "touching_base": layer.estimate("vertical", "fraction_touching_base"),

@@ -8,17 +8,19 @@ import os
 import sys
 from pathlib import Path
 
-FIGURES = [
-    "fig05_layer_maps",
-    "fig06_coordination_number",
-    "fig07_vertical_distribution",
-    "fig10_cluster_size",
-    "fig11_cluster_orientation",
-    "fig12_surface_height",
-    "fig14_pore_maps",
-    "fig15_pore_size_distribution",
-    "fig16_pore_size_groups",
-]
+# What a figure shows, and the script that draws it.
+FIGURES = {
+    "layer_from_above": "fig05_layer_maps",
+    "height_map": "height_map",
+    "coordination_number": "fig06_coordination_number",
+    "vertical_distribution": "fig07_vertical_distribution",
+    "cluster_size": "fig10_cluster_size",
+    "cluster_orientation": "fig11_cluster_orientation",
+    "surface_height": "fig12_surface_height",
+    "pores_from_above": "fig14_pore_maps",
+    "pore_size_distribution": "fig15_pore_size_distribution",
+    "pore_size_groups": "fig16_pore_size_groups",
+}
 
 
 def save(figure, pyplot, folder, name):
@@ -37,8 +39,8 @@ def draw(report, state, folder):
 
     layer = Layer(None, None, None, str(report), str(state), {})
     folder.mkdir(parents=True, exist_ok=True)
-    for name in FIGURES:
-        save(importlib.import_module(name).draw([layer]), pyplot, folder, name)
+    for name, script in FIGURES.items():
+        save(importlib.import_module(script).draw([layer]), pyplot, folder, name)
 
 
 def main(report, state, folder, reason):

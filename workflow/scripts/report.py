@@ -1,6 +1,7 @@
 """The report: one HTML page with every figure, caption and table in it."""
 
 import base64
+import datetime
 import re
 from pathlib import Path
 
@@ -9,9 +10,22 @@ import pandas
 import yaml
 from markupsafe import Markup
 
+from readable import duration, quantity
 from reporting import describe, logged, read_json, write_text
+from verdicts import AGREES, DIFFERS, NOT_TESTABLE
 
 PAPER_PARTICLES = 100_000
+PAPER = (
+    "Y. He, A. Hassanpour, A. E. Bayly, Linking particle properties to layer characteristics: Discrete element modelling "
+    "of cohesive fine powder spreading in additive manufacturing, Additive Manufacturing 36 (2020) 101685"
+)
+# Units of the derived numbers, by the first or the last part of their names.
+UNITS = {
+    "mass": "kg", "inertia": "kg m2", "weight": "N", "diameter": "m", "effective_modulus": "Pa",
+    "effective_shear_modulus": "Pa", "hamaker": "J", "pull_off_force": "N", "inertial_length": "d_p",
+    "reference_speed": "m/s", "time_step": "s", "limit": "s", "time": "s", "smallest": "m", "largest": "m", "mean": "m",
+    "sauter": "m", "median_by_number": "m", "median_by_mass": "m",
+}  # fmt: skip
 
 
 def listing(values):
@@ -81,6 +95,60 @@ def figure_entry(name, captions, bitmap, sources, comparison):
     }
 
 
+def derived_rows(table):
+    """Derived numbers with units that a person reads; what is no number stays as it is."""
+
+    def text(name, value):
+        first, last = name.split(".")[0], name.split(".")[-1]
+        unit = UNITS.get(last if first in ("time_step_limits", "stages", "sizes") else first)
+        try:
+            return quantity(float(value), unit) if unit and value != "" else value
+        except ValueError:
+            return value
+
+    rows = [[name, *(text(name, value) for value in values)] for name, *values in table.itertuples(index=False)]
+    return pandas.DataFrame(rows, columns=table.columns)
+
+
+def runtime_rows(table):
+    """Run times in hours, minutes and seconds."""
+    return pandas.DataFrame(
+        {
+            "Bo": table["bond_number"],
+            "stiffness ratio": table["stiffness_ratio"],
+            "seed": table["seed"],
+            "stage": table["stage"],
+            "particles": table["particles"],
+            "steps": [f"{steps:,}" for steps in table["steps"]],
+            "time step": [quantity(step, "s") for step in table["time_step_s"]],
+            "wall time": [duration(seconds) for seconds in table["wall_seconds"]],
+            "particle-steps per second": [quantity(rate, "", 3) or "0" for rate in table["particle_steps_per_second"]],
+            "threads": table["threads"],
+        }
+    )
+
+
+def layer_rows(metrics):
+    """What was analysed of each layer."""
+    return pandas.DataFrame(
+        {
+            "Bo": metrics["bond_number"],
+            "stiffness ratio": metrics["stiffness_ratio"],
+            "seed": metrics["seed"],
+            "length analysed [d_p]": metrics["region_length_dp"],
+            "particles in it": metrics["particles"].astype(int),
+            "flowed back under the blade [d_p]": [round(way, 1) for way in metrics["flowed_back_dp"]],
+        }
+    )
+
+
+def verdict_counts(comparison):
+    """How many statements there are of each verdict, and those that differ."""
+    found = comparison["verdict"].value_counts()
+    counts = {verdict: int(found.get(verdict, 0)) for verdict in (AGREES, DIFFERS, NOT_TESTABLE)}
+    return {"all": len(comparison), "counts": counts, "differing": comparison[comparison["verdict"] == DIFFERS]}
+
+
 def check_table(cases, checks):
     """The judged numbers of every run beside their bounds."""
     rows = [
@@ -117,8 +185,16 @@ def context(snakemake):
     summaries = [read_json(path) for path in inputs.summaries]
     checks = [read_json(path) for path in inputs.checks]
     particles = sorted({summary["particles"] for summary in summaries})
+    metrics = pandas.read_csv(inputs.metrics)
+    verdicts = verdict_counts(comparison)
     return {
         "name": params.name,
+        "date": datetime.datetime.now(datetime.timezone.utc).date().isoformat(),
+        "paper": PAPER,
+        "statements": verdicts["all"],
+        "verdicts": verdicts["counts"],
+        "differing": html_table(verdicts["differing"]) if len(verdicts["differing"]) else "",
+        "layer_table": html_table(layer_rows(metrics)),
         "layers": sum(any(stage["name"] == "spread" for stage in summary["stages"]) for summary in summaries),
         "beds": len(summaries),
         "particles": listing(particles),
@@ -131,8 +207,8 @@ def context(snakemake):
         "checks": listing(checks[0]["checks"]),
         "check_table": check_table(params.cases, checks),
         "beds_table": html_table(pandas.read_csv(inputs.beds)),
-        "runtime_table": html_table(pandas.read_csv(inputs.runtime)),
-        "derived_table": html_table(pandas.read_csv(inputs.derived, dtype=str, keep_default_na=False)),
+        "runtime_table": html_table(runtime_rows(pandas.read_csv(inputs.runtime))),
+        "derived_table": html_table(derived_rows(pandas.read_csv(inputs.derived, dtype=str, keep_default_na=False))),
         "configuration": params.configuration,
     }
 

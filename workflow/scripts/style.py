@@ -7,6 +7,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as pyplot
 import numpy
 from matplotlib.colors import BoundaryNorm, ListedColormap
+from matplotlib.patheffects import withStroke
 
 from reporting import write_json
 
@@ -36,15 +37,44 @@ pyplot.rcParams.update(
 )
 
 
+LINES = ["-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1))]
+HALO = [withStroke(linewidth=2.0, foreground="white")]  # so that dark bars do not swallow black lines
+
+
 def bond_colours(bonds):
-    """A colour for each Bond number, dark to light as cohesion grows."""
-    palette = matplotlib.colormaps["viridis"](numpy.linspace(0.0, 0.88, max(2, len(bonds))))
+    """A colour for each Bond number, dark to light as cohesion grows; the lightest still stands out from paper."""
+    palette = matplotlib.colormaps["viridis"](numpy.linspace(0.0, 0.75, max(2, len(bonds))))
     return dict(zip(sorted(bonds), palette))
 
 
-def bond_label(bond):
-    """A layer on its own may be of an unknown Bond number."""
-    return "layer" if bond is None else f"Bo = {bond:g}"
+def bond_label(bond, count=None):
+    """A layer on its own may be of an unknown Bond number; `count` is what its shares are shares of."""
+    name = "layer" if bond is None else f"Bo = {bond:g}"
+    return name if count is None else f"{name} (n = {count})"
+
+
+def particles_of(members):
+    """Particles in the analysed regions of the runs of one Bond number."""
+    return sum(layer.metrics["clusters"]["n_particles"] for layer in members)
+
+
+def mean_and_range(results):
+    """(value, lower, upper) of one run as they are; of several runs their mean and their range."""
+    if len(results) == 1:
+        return tuple(numpy.asarray(part, dtype=float) for part in results[0])
+    values = numpy.array([value for value, _, _ in results], dtype=float)
+    return values.mean(axis=0), values.min(axis=0), values.max(axis=0)
+
+
+def error_bars(axes, x, values, lower, upper, **style):
+    """Intervals in black on white, where they are known and have a length."""
+    x, values, lower, upper = (numpy.asarray(part, dtype=float) for part in (x, values, lower, upper))
+    known = numpy.isfinite(lower) & numpy.isfinite(upper) & (upper > lower)
+    gap = [numpy.maximum(values - lower, 0)[known], numpy.maximum(upper - values, 0)[known]]
+    style = {"ecolor": "black", "elinewidth": 0.7, "capsize": 1.3, "capthick": 0.7, "zorder": 4} | style
+    drawn = axes.errorbar(x[known], values[known], gap, fmt="none", **style)
+    for part in (*drawn[1], *drawn[2]):
+        part.set_path_effects(HALO)
 
 
 def bond_panels(bonds):
@@ -90,27 +120,34 @@ def grouped_bars(axes, categories, series, errors=None):
         left = place - 0.41 + (number + 0.5) * width
         axes.bar(left, values, width, color=colour, edgecolor="black", linewidth=0.3, label=label)
         if errors:
-            lower, upper = (numpy.asarray(bound) for bound in errors[label])
-            known = upper > lower
-            gap = [numpy.maximum(values - lower, 0)[known], numpy.maximum(upper - values, 0)[known]]
-            axes.errorbar(left[known], values[known], gap, fmt="none", ecolor="black", elinewidth=0.6, capsize=1.2)
+            error_bars(axes, left, values, *errors[label])
     axes.set_xticks(place, categories)
 
 
-def bond_series(axes, groups, statistic):
-    """A statistic of each Bond number: bootstrap interval of a single run, or the runs about their mean."""
-    bonds = list(groups)
-    means = [numpy.mean([statistic(layer)[0] for layer in members]) for members in groups.values()]
-    axes.plot(bonds, means, color="black", linewidth=0.8, zorder=1)
-    for bond, mean, members in zip(bonds, means, groups.values()):
-        if len(members) == 1:
-            value, lower, upper = statistic(members[0])
-            gap = [[max(value - lower, 0)], [max(upper - value, 0)]]
-            axes.errorbar([bond], [value], gap, fmt="o", color="C0", ecolor="black", elinewidth=0.8, capsize=2)
-        else:
-            axes.plot([bond] * len(members), [statistic(layer)[0] for layer in members], ".", color="C0")
-            axes.plot([bond], [mean], "_", color="black", markersize=9)
-    bond_axis(axes, bonds)
+def bond_series(axes, groups, statistic, places=None):
+    """A statistic of each Bond number: bootstrap interval of a single run, or the runs about their mean.
+
+    No line joins them, since nothing is known in between. `places`: x of each, by default the Bond number itself.
+    """
+    places = list(groups) if places is None else places
+    for place, members in zip(places, groups.values()):
+        results = [statistic(layer) for layer in members]
+        value, lower, upper = mean_and_range(results)
+        if numpy.isfinite(value):
+            error_bars(axes, [place], [value], [lower], [upper], elinewidth=0.9, capsize=2.5)
+            axes.plot([place], [value], "o", color="C0", markeredgecolor="black", markeredgewidth=0.4, zorder=5)
+        if len(members) > 1:
+            axes.plot([place] * len(members), [result[0] for result in results], ".", color="0.4", markersize=3, zorder=5)
+
+
+def scale_bar(axes, length=10):
+    """A bar of so many d_p in the lower right corner of a map, and its length."""
+    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    x, y = right - 0.02 * (right - left), low + 0.1 * (high - low)
+    bar = axes.plot([x - length, x], [y, y], color="black", linewidth=2, solid_capstyle="butt", zorder=8)
+    label = axes.text(x - 0.5 * length, y, f"{length} $d_p$", ha="center", va="bottom", fontsize=7, zorder=8)
+    for part in (*bar, label):
+        part.set_path_effects([withStroke(linewidth=3.5, foreground="white")])
 
 
 def save(figure, snakemake, layers, note=""):

@@ -38,7 +38,7 @@ def test_a_small_spread_ends_with_states_and_a_summary(solver):
     solver.good("run", "spread.yaml", "--out", "out", "--threads", 1, "--quiet")
     out = solver.folder / "out"
     assert sorted(f.name for f in out.iterdir()) == sorted(
-        [*STATES, "trajectory.vtkhdf", "checkpoint.h5", "checkpoint-previous.h5", "energy.csv", "summary.json"]
+        [*STATES, "trajectory.vtkhdf", "checkpoint.h5", "checkpoint-previous.h5", "energy.csv", "summary.json", "walls.vtkhdf"]
     )
     summary = solver.summary("out")
     assert summary["status"] == "finished"

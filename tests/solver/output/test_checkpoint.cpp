@@ -41,10 +41,13 @@ Checkpoint sample() {
     record.time = 6e-8;
     record.settled = true;
     record.packing_density = 0.1 + 0.2;
+    record.layer_end = 0.1 + 0.7;
     record.largest_overlap = 1.0 / 7;
     record.end.wall_work = -1.0 / 3;
     progress.finished = {record, StageRecord{}};
     progress.energy.set_values({1, 2, 1.0 / 3});
+    progress.walls.set_values({0, 5, 1.0 / 7, -1, -2, -3, 1, 2, 3});
+    progress.blade_stop = {1.0 / 9, {1e-3, -0.0, 1.0 / 3}};
     checkpoint.engine.reals["contacts/force"] = {1.0 / 3, -0.0, std::numeric_limits<double>::infinity(), 5e-324};
     checkpoint.engine.reals["empty"] = {};
     checkpoint.engine.integers["contacts/first"] = {-1, std::numeric_limits<std::int64_t>::max()};
@@ -74,6 +77,9 @@ TEST_F(CheckpointFile, KeepsTheProgress) {
     // the text has every entry of the progress; numbers in it read back as the same doubles
     EXPECT_EQ(progress_to_text(read.progress), progress_to_text(expected.progress));
     EXPECT_EQ(read.progress.segment_steps, 1234567890123);
+    EXPECT_EQ(read.progress.walls.values(), expected.progress.walls.values());
+    EXPECT_EQ(read.progress.blade_stop.rear, 1.0 / 9);
+    EXPECT_EQ(read.progress.blade_stop.x, expected.progress.blade_stop.x);
     EXPECT_EQ(read.progress.stage_wall_seconds, 1.0 / 3);
     EXPECT_EQ(read.progress.start.gravity, 1e-300);
     EXPECT_TRUE(read.progress.segment_entered && read.progress.settled);
