@@ -1,11 +1,11 @@
 #include "analyzer/commands/layer_arguments.hpp"
 
-#include <CLI/CLI.hpp>
 #include <tbb/global_control.h>
 
 #include "analyzer/commands/warnings.hpp"
 #include "analyzer/readers/frame.hpp"
 #include "analyzer/readers/reader.hpp"
+#include "common/command_line.hpp"
 
 namespace recoat {
 
@@ -19,7 +19,7 @@ void add_layer_arguments(CLI::App& command, LayerArguments& arguments) {
         .add_option("--set", arguments.settings, "Replace a value of the configuration: key=value (may be repeated)")
         ->allow_extra_args(false);
     command.add_option("--threads", arguments.threads, "Number of threads; all cores if not given")
-        ->check(CLI::PositiveNumber);
+        ->check(whole_number(1, 1024));
 }
 
 Config load_config(const LayerArguments& arguments) {

@@ -84,7 +84,7 @@ void read_particle_scene(const Config& config, const std::filesystem::path& fold
         config.fail("", "the end of the run is not stated, or twice; give either duration or stages");
     }
     read_time_step(config, scene);
-    read_stages(config, 0, 0, scene);
+    read_stages(config, 0, scene);
 }
 
 }  // namespace recoat
