@@ -9,7 +9,11 @@ if "name" not in config:
     configfile: "config/reduced.yaml"
 
 
-validate(config, "config/schema/grid.schema.json")
+include: "workflow/rules/configuration.smk"
+
+
+refuse_wrong(config, "grid.schema.json", " and ".join(map(str, workflow.configfiles)) or "--config")
+validate(config, "config/schema/grid.schema.json")  # puts the defaults in place
 
 
 include: "workflow/rules/common.smk"

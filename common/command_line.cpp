@@ -82,7 +82,7 @@ CLI::Validator whole_number(std::int64_t lower, std::int64_t upper) {
         if (number && *number >= lower && *number <= upper) return std::string();
         return fmt::format("\"{}\" is no whole number {}", text, range);
     };
-    return {check, "INTEGER " + range};
+    return {check, range};
 }
 
 std::optional<int> parse_command_line(CLI::App& app, int argc, const char* const* argv) {

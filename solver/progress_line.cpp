@@ -1,6 +1,7 @@
 #include "solver/progress_line.hpp"
 
 #include <cstdio>
+#include <sstream>
 #include <vector>
 
 #include <fmt/format.h>
@@ -102,7 +103,10 @@ void ProgressLine::update(std::int64_t done) {
 
 void ProgressLine::say(const std::string& sentence) {
     if (quiet_) return;
-    std::fputs(((line_shown_ ? "\r\033[K" : "") + start_ + sentence + "\n").c_str(), stderr);
+    std::string text = line_shown_ ? "\r\033[K" : "";
+    std::istringstream lines(sentence);
+    for (std::string line; std::getline(lines, line);) text += start_ + line + "\n";
+    std::fputs(text.c_str(), stderr);
     line_shown_ = false;
 }
 

@@ -28,7 +28,7 @@ public:
     /// Begins a stage; `done` of its steps are made already.
     void begin(const Progress& progress);
     void update(std::int64_t done);
-    /// A whole sentence of its own.
+    /// A whole sentence of its own, or several lines of them.
     void say(const std::string& sentence);
 
 private:

@@ -49,7 +49,8 @@ Plan plan_for_checkpoint(const Scene& scene, const fs::path& folder, bool overwr
         MissingFiles missing = missing_files(scene, folder, checkpoint.progress);
         missing.states.insert(missing.states.end(), missing.frames.begin(), missing.frames.end());
         if (!missing.states.empty())
-            return {Plan::start, {}, list_of(missing.states) + " of the earlier run is gone; it starts anew"};
+            return {Plan::start, {}, list_of(missing.states) + " of the earlier run " + (missing.states.size() == 1 ? "is" : "are") +
+                                         " gone; it starts anew"};
         return {Plan::resume, std::move(latest)};
     } catch (const InputError&) {
         if (overwrite) return {Plan::start, {}};  // a damaged one, too
@@ -123,7 +124,7 @@ int continue_from(const Scene& scene, const LatestCheckpoint& latest, const RunO
     }
     const MissingFiles missing = missing_files(scene, options.folder, checkpoint.progress);
     if (!missing.states.empty())
-        line.say("Note: " + list_of(missing.states) + " of earlier stages is gone and cannot be made again.");
+        line.say("Note: not there any more, and not to be made again: " + list_of(missing.states) + ".");
     line.say("Continuing at step " + std::to_string(engine->step()) + ".");
     return StageRunner(scene, options, *engine, checkpoint.progress).run();
 }
@@ -167,8 +168,8 @@ void refuse_lost_files(const Scene& scene, const RunProgress& progress, const fs
     const bool at_end = progress.stage == scene.stages.size();
     const std::vector<std::string>& lost = missing.frames.empty() && at_end ? missing.states : missing.frames;
     if (lost.empty()) return;
-    throw InputError(folder.string() + ": " + list_of(lost) +
-                     " is gone, and the checkpoint is of a later moment; put it back, or start the run anew with "
+    throw InputError(folder.string() + ": " + list_of(lost) + (lost.size() == 1 ? " is" : " are") +
+                     " gone, and the checkpoint is of a later moment; put it back, or start the run anew with "
                      "recoat-solve run");
 }
 

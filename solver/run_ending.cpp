@@ -8,11 +8,6 @@
 namespace recoat {
 namespace {
 
-std::string quoted(const std::filesystem::path& path) {
-    const std::string text = path.string();
-    return text.find_first_of(" '\"$&();*?") == std::string::npos ? text : "\"" + text + "\"";
-}
-
 std::string made(const Scene& scene, const RunProgress& progress) {
     std::vector<std::string> names;
     for (const Stage& stage : scene.stages) names.push_back(stage.name + ".vtkhdf");
@@ -35,6 +30,11 @@ std::string restless(const Scene& scene, const RunProgress& progress) {
 }
 
 }  // namespace
+
+std::string quoted(const std::filesystem::path& path) {
+    const std::string text = path.string();
+    return text.find_first_of(" '\"$&();*?") == std::string::npos ? text : "\"" + text + "\"";
+}
 
 std::string stage_ending(const Stage& stage, const StageRecord& record) {
     std::string text = fmt::format("{}: {} {} ({})", record.name, readable_count(record.steps),

@@ -8,6 +8,9 @@
 
 namespace recoat {
 
+/// A path as a shell takes it.
+std::string quoted(const std::filesystem::path& path);
+
 /// How a stage ended, for a person: "heap: 14 200 steps (1.42 ms), settled.".
 std::string stage_ending(const Stage& stage, const StageRecord& record);
 

@@ -187,7 +187,7 @@ int StageRunner::stop() {
     save_checkpoint();
     summarise(RunStatus::stopped);
     line_.say("Stopped at step " + std::to_string(engine_.step()) + "; continue with: recoat-solve resume " +
-              options_.folder.string());
+              quoted(options_.folder));
     return stop_signal() != 0 ? 128 + stop_signal() : 0;
 }
 

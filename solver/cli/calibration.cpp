@@ -9,6 +9,7 @@
 
 #include <unistd.h>
 
+#include "common/error.hpp"
 #include "solver/output/output_size.hpp"
 
 namespace recoat {
@@ -93,12 +94,16 @@ Calibration calibrate(const Scene& scene, std::int64_t particles, const Resource
     const double before = resident_bytes();
     const ParticleTable block = cubic_block(scene.diameter, edge);
     const auto engine = factory.make(open_setup(scene, resources), block, {});
-    engine->advance(2);
     const auto count = static_cast<double>(block.size());
     Calibration result;
     result.particles = block.size();
-    result.bytes_per_particle = std::max(0.0, resident_bytes() - before) / count;
-    result.particle_steps_per_second = best_rate(*engine, result) * count;
+    try {
+        engine->advance(2);
+        result.bytes_per_particle = std::max(0.0, resident_bytes() - before) / count;
+        result.particle_steps_per_second = best_rate(*engine, result) * count;
+    } catch (const SimulationFault&) {
+        // Contacts that no step can follow; what is wrong with the scene is said by its notes.
+    }
     result.checkpoint_bytes_per_particle = engine_bytes(engine->save()) / count;
     if (resources.backend != Backend::cpu) result.processor_share = 1;  // a device calculates, the thread waits
     return result;

@@ -99,8 +99,8 @@ Json expectation_json(const Scene& scene, std::int64_t particles, const Resource
             {"particle_steps_per_second", measured.particle_steps_per_second},
             {"processor_share", measured.processor_share},
             {"busy", measured.busy()},
-            {"seconds_without_settling", static_cast<double>(steps.fixed) / rate},
-            {"seconds", static_cast<double>(steps.most) / rate},
+            {"seconds_without_settling", finite_or_null(static_cast<double>(steps.fixed) / rate)},
+            {"seconds", finite_or_null(static_cast<double>(steps.most) / rate)},
             {"bytes", measured.bytes_per_particle * static_cast<double>(particles)}};
 }
 

@@ -78,6 +78,7 @@ std::string time_text(const Json& r) {
 }
 
 std::string rate_text(const Json& e) {
+    if (e["particle_steps_per_second"] == 0) return "none: a block of touching spheres flies apart";
     return fmt::format("{:.3g} particle-steps/s ({} touching spheres, {} {})",
                        e["particle_steps_per_second"].get<double>(), e["measured_particles"].get<std::int64_t>(),
                        e["threads"].get<int>(), e["threads"] == 1 ? "thread" : "threads");
@@ -95,6 +96,7 @@ std::string output_text(const Json& o) {
 
 /// What is made in any case, and what comes on top where stages settle as late as they may.
 std::string run_time_text(const Json& e) {
+    if (e["particle_steps_per_second"] == 0) return {};
     const auto least = e["seconds_without_settling"].get<double>(), most = e["seconds"].get<double>();
     if (least == most) return row("run time", readable_duration(most));
     return row("run time, while walls move and time is given", readable_duration(least)) +
@@ -109,8 +111,8 @@ std::string expectation_text(const Json& r) {
                        row("memory of the particles", readable_bytes(e["bytes"].get<double>())) +
                        row("output at most", output_text(e["output"]));
     if (e["busy"].get<bool>())
-        text += fmt::format("  The machine is busy: the measurement got {:.0f} % of the processor's time. Ask again when it "
-                            "is idle.\n",
+        text += fmt::format("  The machine is busy: the measurements got {:.0f} % of the processor's time, so the rate, the "
+                            "best of them, may be too low.\n",
                             100 * e["processor_share"].get<double>());
     return text;
 }

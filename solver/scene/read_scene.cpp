@@ -9,7 +9,7 @@
 
 #include "common/error.hpp"
 #include "common/fingerprint.hpp"
-#include "common/number.hpp"
+#include "common/readable.hpp"
 #include "solver/scene/initial_particles.hpp"
 #include "solver/scene/particle_scene.hpp"
 #include "solver/scene/read_model.hpp"
@@ -60,8 +60,8 @@ void refuse_unstable_step(const Config& config, const Scene& scene) {
     for (const StepLimit& limit : time_step_limits(scene)) {
         if (limit.stability && scene.time_step >= limit.limit) {
             config.fail("time_step", "the step is longer than the stability limit \"" + limit.name + "\" (" +
-                                         limit.formula + " = " + shortest(limit.limit) +
-                                         " s); choose a shorter step (recoat-solve check prints every limit)");
+                                         limit.formula + " = " + readable(limit.limit, "s") +
+                                         "); choose a shorter step (recoat-solve check prints every limit)");
         }
     }
 }

@@ -57,7 +57,9 @@ def change(workflow, grid, **values):
 @pytest.mark.parametrize(
     "values, sentence",
     [
-        ({"bond_numbers": [5]}, "'bond_numbers' was unexpected"),
+        ({"bond_numbers": [5]}, "config/smoke.yaml: bond_numbers: the key is unknown; remove it or use one of "),
+        ({"seed": [5]}, 'config/smoke.yaml: seed: the key is unknown; did you mean "seeds"?'),
+        ({"layers": [{"bond_numbrs": [5], "stiffness_ratios": [1]}]}, 'layers.0.bond_numbrs: the key is unknown; did you mean "bond_numbers"?'),
         ({"seeds": []}, "[] should be non-empty"),
         ({"layers": None}, "'layers' is a required property"),
         ({"layers": [{"bond_numbers": [-5], "stiffness_ratios": [0.001]}]}, "-5 is less than the minimum of 0"),
@@ -69,6 +71,17 @@ def test_bad_grid_is_refused(workflow, doubles, values, sentence):
     change(workflow, "smoke", **values)
     code, output = workflow("--dry-run", "--configfile", "config/smoke.yaml", build=doubles)
     assert code != 0 and sentence in output, output
+    assert len(output.splitlines()) < 6 and "schema" not in output, output
+
+
+def test_a_bad_scene_of_a_grid_is_refused_in_one_sentence(workflow, doubles):
+    change(workflow, "smoke", scene="config/wrong.yaml")
+    scene = yaml.safe_load((workflow.folder / "config/scene.yaml").read_text())
+    scene["blade"]["clearence"] = scene["blade"].pop("clearance")
+    (workflow.folder / "config/wrong.yaml").write_text(yaml.safe_dump(scene))
+    code, output = workflow("--dry-run", "--configfile", "config/smoke.yaml", build=doubles)
+    assert code != 0 and 'config/wrong.yaml: blade.clearence: the key is unknown; did you mean "clearance"?' in output, output
+    assert len(output.splitlines()) < 6, output
 
 
 def test_case_without_a_time_step_takes_the_automatic_one(workflow, doubles):

@@ -8,11 +8,10 @@ from itertools import product
 from pathlib import Path
 
 import yaml
-from snakemake.utils import validate
 
 # The same schema that the solver's reader answers to.
 with open(config["scene"]) as scene_file:
-    validate(yaml.safe_load(scene_file), "../../config/schema/scene.schema.json")
+    refuse_wrong(yaml.safe_load(scene_file), "scene.schema.json", config["scene"])
 
 
 wildcard_constraints:

@@ -53,5 +53,13 @@ TEST(Calibration, SaysThatTheProcessorWasElsewhere) {
     EXPECT_LT(found.processor_share, 0.5);
 }
 
+TEST(Calibration, OfWhatFliesApartIsNone) {
+    testing::FakeScript script;
+    script.fault_at = 1;
+    const Calibration found =
+        calibrate(testing::scene_of(testing::spread_text), 8, {Backend::cpu, 1, 0}, testing::fake_factory(script));
+    EXPECT_EQ(found.particle_steps_per_second, 0);
+}
+
 }  // namespace
 }  // namespace recoat

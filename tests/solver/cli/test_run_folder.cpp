@@ -79,7 +79,7 @@ TEST_F(RunFolder, WhatCannotBeMadeAgainIsSaid) {
     run("output.trajectory_interval=10 ms");
     fs::remove(folder_ / "a/trajectory.vtkhdf");
     EXPECT_THAT(testing::message_of<InputError>([&] { resume(); }),
-                HasSubstr("trajectory.frames/000000.vtkhdf and 5 more is gone"));
+                HasSubstr("trajectory.frames/000000.vtkhdf and 5 more are gone"));
 }
 
 // Whoever moved the state of an early stage away can still continue; the trajectory could not be joined in the end.

@@ -28,7 +28,9 @@ TEST(SceneNotes, TheUsualIsNotWorthAWord) {
 
 TEST(SceneNotes, SpheresAsSoftAsJelly) {
     EXPECT_THAT(notes({"stiffness_ratio=1e-9"}), ElementsAre(AllOf(HasSubstr("too soft"), HasSubstr("the run stops at 0.25"))));
-    EXPECT_THAT(notes({"material.young_modulus=110 Pa", "stiffness_ratio=1"}),
+    EXPECT_THAT(notes({"stiffness_ratio=1e-7"}), ElementsAre(HasSubstr("when they meet at 50 mm/s; the contact law holds")));
+    EXPECT_THAT(notes({"cohesion.bond_number=1e6"}), ElementsAre(HasSubstr("under their attraction and the powder above")));
+    EXPECT_THAT(notes({"material.young_modulus=110 Pa", "stiffness_ratio=1", "time_step=auto"}),
                 ElementsAre(AllOf(HasSubstr("young_modulus of 110 Pa"), HasSubstr("give a larger young_modulus"))));
 }
 
@@ -55,6 +57,23 @@ TEST(SceneNotes, ABladeThatNothingPassesUnder) {
                                             "powder.sizes.standard_deviation=10 um", "powder.sizes.smallest=30 um",
                                             "powder.sizes.largest=80 um"};
     EXPECT_THAT(notes(sizes), ElementsAre(AllOf(HasSubstr("the largest particles do not pass"), HasSubstr("80 um"))));
+}
+
+// 40 spheres fill about 40 pi/6/0.5 = 42 dp3 over 6 dp times 6 dp.
+TEST(SceneNotes, ABladeThatPassesAboveThePowder) {
+    EXPECT_THAT(notes({"blade.clearance=1.2 dp"}), ElementsAre(AllOf(HasSubstr("passes above the powder"), HasSubstr("60 um"))));
+    EXPECT_THAT(notes({"blade.clearance=1.1 dp"}), IsEmpty());
+}
+
+TEST(SceneNotes, ARestThatIsNone) {
+    // sqrt(2 0.5 g d)
+    EXPECT_THAT(notes({"stages.heap.settle_energy=0.5"}), ElementsAre(AllOf(HasSubstr("stage heap"), HasSubstr("22.15 mm/s"))));
+    EXPECT_THAT(notes({"stages.heap.settle_energy=0.1"}), IsEmpty());
+}
+
+TEST(SceneNotes, MaterialsInAnotherUnit) {
+    EXPECT_THAT(notes({"material.density=4430 g/cm3"}), ElementsAre(HasSubstr("check the unit")));
+    EXPECT_THAT(notes({"material.young_modulus=110000 GPa"}), ElementsAre(HasSubstr("more than that of diamond")));
 }
 
 TEST(SceneNotes, SizesFarFromTheDiameterOfTheMaterial) {
