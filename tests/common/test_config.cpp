@@ -187,7 +187,7 @@ TEST(Config, FailNamesTheKey) {
 
 TEST(Config, OnlyTheKeysAllowedAreAllowed) {
     constexpr std::string_view keys[] = {"length", "width"};
-    EXPECT_EQ(refusal("width: 1\n", [&](const Config& c) { c.allow_only(keys); (void)c.integer("width"); }), "");
+    EXPECT_NO_THROW(Config::parse("width: 1\n", "scene.yaml").allow_only(keys));
     EXPECT_EQ(refusal("width: 1\nlenght: 2\n", [&](const Config& c) { c.allow_only(keys); }),
               "scene.yaml:2: lenght: the key is unknown; did you mean \"length\"?");
 }
