@@ -67,7 +67,8 @@ std::string readable_duration(double seconds) {
         // Whole minutes, hours and days only from two on: "90 s" says more than "1.5 min".
         const double least = unit.size > 1 ? 1.995 : 0.0995;
         const double count = seconds / unit.size;
-        if (count >= least || unit.size == 1e-9) return fmt::format("{:.{}g} {}", count, count >= 100 ? 3 : 2, unit.name);
+        if (count >= least || unit.size == 1e-9)
+            return fmt::format("{:.{}g} {}", count, count >= 100 ? 3 : 2, unit.name);
     }
     return {};
 }

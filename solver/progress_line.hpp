@@ -14,8 +14,8 @@ struct Progress {
     std::int64_t later = 0;  ///< steps of all stages after it, at most
 };
 
-/// One line about `progress` in at most `columns` columns, with what matters most where there is little room. `rate`: steps
-/// per second; 0 where it is not known yet.
+/// One line about `progress` in at most `columns` columns, with what matters most where there is little room. `rate`:
+/// steps per second; 0 where it is not known yet.
 std::string progress_text(const Progress& progress, double rate, double particles, int columns);
 
 /// Tells on standard error how far a run has come: one line that is rewritten on a terminal, a line every ten seconds

@@ -5,11 +5,11 @@
 #include "common/config.hpp"
 #include "common/error.hpp"
 #include "common/version.hpp"
+#include "solver/other_configuration.hpp"
 #include "solver/output/checkpoint.hpp"
 #include "solver/output/folder_lock.hpp"
 #include "solver/output/output_size.hpp"
 #include "solver/output/summary.hpp"
-#include "solver/other_configuration.hpp"
 #include "solver/progress_line.hpp"
 #include "solver/run_files.hpp"
 #include "solver/scene/initial_particles.hpp"
@@ -49,8 +49,10 @@ Plan plan_for_checkpoint(const Scene& scene, const fs::path& folder, bool overwr
         MissingFiles missing = missing_files(scene, folder, checkpoint.progress);
         missing.states.insert(missing.states.end(), missing.frames.begin(), missing.frames.end());
         if (!missing.states.empty())
-            return {Plan::start, {}, list_of(missing.states) + " of the earlier run " + (missing.states.size() == 1 ? "is" : "are") +
-                                         " gone; it starts anew"};
+            return {Plan::start,
+                    {},
+                    list_of(missing.states) + " of the earlier run " + (missing.states.size() == 1 ? "is" : "are") +
+                        " gone; it starts anew"};
         return {Plan::resume, std::move(latest)};
     } catch (const InputError&) {
         if (overwrite) return {Plan::start, {}};  // a damaged one, too

@@ -11,9 +11,11 @@ namespace {
 std::string made(const Scene& scene, const RunProgress& progress) {
     std::vector<std::string> names;
     for (const Stage& stage : scene.stages) names.push_back(stage.name + ".vtkhdf");
-    std::string text = list_of(names) + (names.size() == 1 ? " (the state after its stage)" : " (the states after each stage)");
+    std::string text =
+        list_of(names) + (names.size() == 1 ? " (the state after its stage)" : " (the states after each stage)");
     if (!progress.frames.empty())
-        text += fmt::format(", trajectory.vtkhdf ({} states)", readable_count(static_cast<long long>(progress.frames.size())));
+        text += fmt::format(", trajectory.vtkhdf ({} states)",
+                            readable_count(static_cast<long long>(progress.frames.size())));
     if (!progress.energy.empty()) text += ", energy.csv";
     return text + " and summary.json";
 }

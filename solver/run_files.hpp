@@ -14,9 +14,9 @@ bool is_complete(const Scene& scene, const std::filesystem::path& folder);
 
 /// Files that a run which has come as far as `progress` should have left, and that are gone.
 struct MissingFiles {
-    bool last_state = false;           ///< that of the last finished stage, which the checkpoint still holds
-    std::vector<std::string> states;   ///< names of others, which nothing can make again
-    std::vector<std::string> frames;   ///< of the trajectory: without them it cannot be joined
+    bool last_state = false;          ///< that of the last finished stage, which the checkpoint still holds
+    std::vector<std::string> states;  ///< names of others, which nothing can make again
+    std::vector<std::string> frames;  ///< of the trajectory: without them it cannot be joined
 };
 
 MissingFiles missing_files(const Scene& scene, const std::filesystem::path& folder, const RunProgress& progress);

@@ -58,7 +58,8 @@ std::string start_overlaps(const Scene& scene, const Engine& engine) {
         "settle first",
         overlaps.count == 1 ? pair + " overlap at the start"
                             : fmt::format("{} contacts overlap at the start, that of {} most,", overlaps.count, pair),
-        depth, overlaps.count == 1 ? "it" : "them", readable(energy, "J"), readable_speed(std::sqrt(2 * energy / mass)));
+        depth, overlaps.count == 1 ? "it" : "them", readable(energy, "J"),
+        readable_speed(std::sqrt(2 * energy / mass)));
 }
 
 }  // namespace recoat

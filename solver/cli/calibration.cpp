@@ -64,7 +64,8 @@ std::int64_t steps_of(Engine& engine, double seconds) {
         const Clock::time_point start = Clock::now();
         engine.advance(steps);
         const double taken = std::chrono::duration<double>(Clock::now() - start).count();
-        if (taken >= 0.25 * seconds) return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) * seconds / taken));
+        if (taken >= 0.25 * seconds)
+            return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) * seconds / taken));
     }
 }
 

@@ -90,7 +90,8 @@ std::string output_text(const Json& o) {
     if (states > 0)
         text += fmt::format(" ({} states of a trajectory: {})", readable_count(states),
                             readable_bytes(o["trajectory_bytes"].get<double>()));
-    if (!o["free_bytes"].is_null()) text += fmt::format("; the disk has {} free", readable_bytes(o["free_bytes"].get<double>()));
+    if (!o["free_bytes"].is_null())
+        text += fmt::format("; the disk has {} free", readable_bytes(o["free_bytes"].get<double>()));
     return text;
 }
 
@@ -106,14 +107,14 @@ std::string run_time_text(const Json& e) {
 std::string expectation_text(const Json& r) {
     const Json& e = r["expected"];
     std::string text = "Expected\n" + row("steps at most", r["steps"], "") +
-                       row("rate on this machine, measured", rate_text(e)) +
-                       run_time_text(e) +
+                       row("rate on this machine, measured", rate_text(e)) + run_time_text(e) +
                        row("memory of the particles", readable_bytes(e["bytes"].get<double>())) +
                        row("output at most", output_text(e["output"]));
     if (e["busy"].get<bool>())
-        text += fmt::format("  The machine is busy: the measurements got {:.0f} % of the processor's time, so the rate, the "
-                            "best of them, may be too low.\n",
-                            100 * e["processor_share"].get<double>());
+        text += fmt::format(
+            "  The machine is busy: the measurements got {:.0f} % of the processor's time, so the rate, the "
+            "best of them, may be too low.\n",
+            100 * e["processor_share"].get<double>());
     return text;
 }
 

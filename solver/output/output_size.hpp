@@ -19,7 +19,8 @@ struct OutputSize {
 
     /// What is left in the end.
     [[nodiscard]] double left() const { return trajectory() + states + checkpoints + series; }
-    /// What there is at most at one time: the states of the trajectory are joined into one file before they are removed.
+    /// What there is at most at one time: the states of the trajectory are joined into one file before they are
+    /// removed.
     [[nodiscard]] double most() const { return left() + trajectory() + 0.5 * checkpoints; }
     [[nodiscard]] double trajectory() const { return static_cast<double>(frames) * frame; }
 };

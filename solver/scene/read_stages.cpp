@@ -134,10 +134,11 @@ void StageReader::refuse_obstacle(const Config& section) const {
                      "- remove: {wall: gate}");
     const double clearance = scene_.spread->clearance, height = course_.wall("blade").lower.z;
     if (height > clearance * (1 + 1e-9))
-        section.fail("", fmt::format("the blade stands {:.4g} dp above the base, higher than blade.clearance ({:.4g} "
-                                     "dp), and would not come down; lower it by a stage before, or give blade.clearance "
-                                     "that height",
-                                     height / scene_.diameter, clearance / scene_.diameter));
+        section.fail("",
+                     fmt::format("the blade stands {:.4g} dp above the base, higher than blade.clearance ({:.4g} "
+                                 "dp), and would not come down; lower it by a stage before, or give blade.clearance "
+                                 "that height",
+                                 height / scene_.diameter, clearance / scene_.diameter));
 }
 
 std::vector<Segment> StageReader::spread(const Config& section) {

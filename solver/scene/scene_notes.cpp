@@ -60,7 +60,8 @@ std::string softness(const Scene& scene) {
     if (share <= much_overlap) return {};
     const Overlaps overlaps(scene);
     return fmt::format(
-        "the spheres are too soft: with a young_modulus of {} and a stiffness_ratio of {:g} they would overlap by about "
+        "the spheres are too soft: with a young_modulus of {} and a stiffness_ratio of {:g} they would overlap by "
+        "about "
         "{:.2g} of their radius ({}; {}); give a larger {}",
         readable(scene.model.youngs_modulus, "Pa"), scene.model.stiffness_ratio, share,
         overlaps.impact > overlaps.rest ? "when they meet at " + readable_speed(scene.reference_speed)
@@ -97,12 +98,14 @@ std::string reach(const Scene& scene) {
 /// Rest is where particles move slower than they would after falling a small part of their diameter.
 std::string rest(const Scene& scene) {
     constexpr double lively = 0.1;  ///< m g d_p
-    const double unit = sphere_mass(0.5 * scene.diameter, scene.model.density) * scene.reference_gravity * scene.diameter;
+    const double unit =
+        sphere_mass(0.5 * scene.diameter, scene.model.density) * scene.reference_gravity * scene.diameter;
     for (const Stage& stage : scene.stages) {
         for (const Segment& segment : stage.segments) {
             if (!segment.rest || segment.rest->energy <= lively * unit) continue;
             return fmt::format(
-                "in the stage {} particles count as at rest while they still move at {}: its settle_energy is {:.3g} m g "
+                "in the stage {} particles count as at rest while they still move at {}: its settle_energy is {:.3g} m "
+                "g "
                 "d_p; give 1e-4 or less",
                 stage.name,
                 readable_speed(std::sqrt(2 * segment.rest->energy / unit * scene.reference_gravity * scene.diameter)),
@@ -118,7 +121,8 @@ std::string clearance(const Scene& scene) {
     if (gap >= scene.largest_diameter) return {};
     if (gap < scene.smallest_diameter)
         return fmt::format(
-            "no particle passes under the blade: blade.clearance is {}, the smallest particles measure {}; give a larger "
+            "no particle passes under the blade: blade.clearance is {}, the smallest particles measure {}; give a "
+            "larger "
             "clearance for a layer",
             readable(gap, "m"), readable(scene.smallest_diameter, "m"));
     return fmt::format(

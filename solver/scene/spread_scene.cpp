@@ -109,7 +109,8 @@ ParticleSource read_source(const Config& config, const std::filesystem::path& fo
 void check_room(const Config& config, const Box& box, const Blade& blade, const Scene& scene) {
     const double end = box.length - box.behind_blade;
     if (blade.position < -box.behind_blade)
-        config.section("blade").fail("position", "the blade stands behind the rear end wall; give a longer box.behind_blade");
+        config.section("blade").fail("position",
+                                     "the blade stands behind the rear end wall; give a longer box.behind_blade");
     if (blade.position + blade.thickness > end)
         config.fail("box", "the blade stands in or beyond the front end wall; give a longer box.length");
     const bool with_gate = std::ranges::find(scene.walls, "gate", &Wall::name) != scene.walls.end();

@@ -53,10 +53,7 @@ double gap_between(const Wall& a, const Wall& b, bool with_boxes) {
 }  // namespace
 
 WallCourse::WallCourse(const Scene& scene)
-    : bounded_(scene.spread.has_value()),
-      time_step_(scene.time_step),
-      diameter_(scene.diameter),
-      walls_(scene.walls) {}
+    : bounded_(scene.spread.has_value()), time_step_(scene.time_step), diameter_(scene.diameter), walls_(scene.walls) {}
 
 bool WallCourse::stands(std::string_view name) const {
     return std::ranges::any_of(walls_, [&](const Wall& wall) { return wall.active && wall.name == name; });
@@ -82,10 +79,10 @@ std::string WallCourse::remove(const std::string& name) {
 std::string WallCourse::leaves_domain(const Wall& wall) const {
     if (!bounded_) return {};
     if (wall.name == "base" && wall.velocity.z != 0)
-        return "the wall \"base\" may move along x and y only: the domain ends below it, so particles would be lost, and "
+        return "the wall \"base\" may move along x and y only: the domain ends below it, so particles would be lost, "
+               "and "
                "heights are measured from it; move the blade instead";
-    const bool outwards =
-        (wall.name == "rear" && wall.velocity.x < 0) || (wall.name == "front" && wall.velocity.x > 0);
+    const bool outwards = (wall.name == "rear" && wall.velocity.x < 0) || (wall.name == "front" && wall.velocity.x > 0);
     if (!outwards) return {};
     return fmt::format(
         "the domain ends at the wall \"{}\", so particles that follow it outwards would be lost; give a longer "

@@ -39,7 +39,8 @@ TEST(CommandLine, TakesWhatIsRight) {
 }
 
 TEST(CommandLine, AMisspeltCommandIsToldWhatIsMeant) {
-    EXPECT_THAT(refusal({"baek", "pie"}), AllOf(HasSubstr("no subcommand \"baek\""), HasSubstr("did you mean \"bake\"?")));
+    EXPECT_THAT(refusal({"baek", "pie"}),
+                AllOf(HasSubstr("no subcommand \"baek\""), HasSubstr("did you mean \"bake\"?")));
     EXPECT_THAT(refusal({"fry", "pie"}), AllOf(HasSubstr("bake, clean"), Not(HasSubstr("did you mean"))));
     EXPECT_THAT(refusal({}), HasSubstr("give one of bake, clean"));
 }

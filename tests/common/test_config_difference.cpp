@@ -19,9 +19,7 @@ TEST(ConfigDifference, NamesKeysAndBothValues) {
     EXPECT_EQ(found[3].second, "7");
 }
 
-TEST(ConfigDifference, IsEmptyForTheSame) {
-    EXPECT_TRUE(config_differences("a: 1\n# a comment\n", "a: 1\n").empty());
-}
+TEST(ConfigDifference, IsEmptyForTheSame) { EXPECT_TRUE(config_differences("a: 1\n# a comment\n", "a: 1\n").empty()); }
 
 }  // namespace
 }  // namespace recoat

@@ -90,7 +90,8 @@ TEST_F(RunFolder, AnUnfinishedRunGoesOnWithoutAnEarlyStateButNotWithoutItsTrajec
     EXPECT_TRUE(fs::exists(folder_ / "a/spread.vtkhdf"));
     run("output.trajectory_interval=10 ms", 40000);
     fs::remove(folder_ / "a/trajectory.frames/000001.vtkhdf");
-    EXPECT_THAT(testing::message_of<InputError>([&] { resume(); }), HasSubstr("trajectory.frames/000001.vtkhdf is gone"));
+    EXPECT_THAT(testing::message_of<InputError>([&] { resume(); }),
+                HasSubstr("trajectory.frames/000001.vtkhdf is gone"));
 }
 
 TEST_F(RunFolder, AFinishedRunNeedsNoCheckpoint) {

@@ -96,7 +96,9 @@ TEST_F(StateWithoutVelocities, KeepsThoseThatItHas) {
 }
 
 TEST_F(StateWithoutVelocities, IsRefusedWhereOnlySomeAreMissing) {
-    EXPECT_THAT(testing::message_of<InputError>([&] { load({{1, 0, 0}, {0, unknown, 0}}); }),
+    EXPECT_THAT(testing::message_of<InputError>([&] {
+                    load({{1, 0, 0}, {0, unknown, 0}});
+                }),
                 HasSubstr("particle 1 has a velocity or angular velocity that is not finite"));
 }
 

@@ -38,9 +38,9 @@ TEST(JoinBoxes, TilesBecomeOneHoweverTheyAreOrdered) {
 }
 
 TEST(JoinBoxes, WhatIsNoBoxTogetherStaysApart) {
-    EXPECT_EQ(join_boxes({left, box("step", {0, -inf, -1}, {inf, inf, 0.1})}, {}).size(), 2U);   // a step
-    EXPECT_EQ(join_boxes({left, box("gap", {0.1, -inf, -1}, {inf, inf, 0})}, {}).size(), 2U);    // a gap
-    EXPECT_EQ(join_boxes({left, box("short", {0, -1, -1}, {inf, 1, 0})}, {}).size(), 2U);        // another width
+    EXPECT_EQ(join_boxes({left, box("step", {0, -inf, -1}, {inf, inf, 0.1})}, {}).size(), 2U);  // a step
+    EXPECT_EQ(join_boxes({left, box("gap", {0.1, -inf, -1}, {inf, inf, 0})}, {}).size(), 2U);   // a gap
+    EXPECT_EQ(join_boxes({left, box("short", {0, -1, -1}, {inf, 1, 0})}, {}).size(), 2U);       // another width
 }
 
 TEST(JoinBoxes, WallsThatMoveOrGoAreLeftAlone) {

@@ -27,9 +27,12 @@ TEST(SceneNotes, TheUsualIsNotWorthAWord) {
 }
 
 TEST(SceneNotes, SpheresAsSoftAsJelly) {
-    EXPECT_THAT(notes({"stiffness_ratio=1e-9"}), ElementsAre(AllOf(HasSubstr("too soft"), HasSubstr("the run stops at 0.25"))));
-    EXPECT_THAT(notes({"stiffness_ratio=1e-7"}), ElementsAre(HasSubstr("when they meet at 50 mm/s; the contact law holds")));
-    EXPECT_THAT(notes({"cohesion.bond_number=1e6"}), ElementsAre(HasSubstr("under their attraction and the powder above")));
+    EXPECT_THAT(notes({"stiffness_ratio=1e-9"}),
+                ElementsAre(AllOf(HasSubstr("too soft"), HasSubstr("the run stops at 0.25"))));
+    EXPECT_THAT(notes({"stiffness_ratio=1e-7"}),
+                ElementsAre(HasSubstr("when they meet at 50 mm/s; the contact law holds")));
+    EXPECT_THAT(notes({"cohesion.bond_number=1e6"}),
+                ElementsAre(HasSubstr("under their attraction and the powder above")));
     EXPECT_THAT(notes({"material.young_modulus=110 Pa", "stiffness_ratio=1", "time_step=auto"}),
                 ElementsAre(AllOf(HasSubstr("young_modulus of 110 Pa"), HasSubstr("give a larger young_modulus"))));
 }
@@ -52,8 +55,9 @@ TEST(SceneNotes, OverlapIsThatOfStrongAttraction) {
 }
 
 TEST(SceneNotes, ABladeThatNothingPassesUnder) {
-    EXPECT_THAT(notes({"blade.clearance=0.5 dp"}), ElementsAre(AllOf(HasSubstr("no particle passes"), HasSubstr("25 um"))));
-    const std::vector<std::string> sizes = {"powder.sizes.distribution=normal",  "powder.sizes.mean=50 um",
+    EXPECT_THAT(notes({"blade.clearance=0.5 dp"}),
+                ElementsAre(AllOf(HasSubstr("no particle passes"), HasSubstr("25 um"))));
+    const std::vector<std::string> sizes = {"powder.sizes.distribution=normal", "powder.sizes.mean=50 um",
                                             "powder.sizes.standard_deviation=10 um", "powder.sizes.smallest=30 um",
                                             "powder.sizes.largest=80 um"};
     EXPECT_THAT(notes(sizes), ElementsAre(AllOf(HasSubstr("the largest particles do not pass"), HasSubstr("80 um"))));
@@ -61,13 +65,15 @@ TEST(SceneNotes, ABladeThatNothingPassesUnder) {
 
 // 40 spheres fill about 40 pi/6/0.5 = 42 dp3 over 6 dp times 6 dp.
 TEST(SceneNotes, ABladeThatPassesAboveThePowder) {
-    EXPECT_THAT(notes({"blade.clearance=1.2 dp"}), ElementsAre(AllOf(HasSubstr("passes above the powder"), HasSubstr("60 um"))));
+    EXPECT_THAT(notes({"blade.clearance=1.2 dp"}),
+                ElementsAre(AllOf(HasSubstr("passes above the powder"), HasSubstr("60 um"))));
     EXPECT_THAT(notes({"blade.clearance=1.1 dp"}), IsEmpty());
 }
 
 TEST(SceneNotes, ARestThatIsNone) {
     // sqrt(2 0.5 g d)
-    EXPECT_THAT(notes({"stages.heap.settle_energy=0.5"}), ElementsAre(AllOf(HasSubstr("stage heap"), HasSubstr("22.15 mm/s"))));
+    EXPECT_THAT(notes({"stages.heap.settle_energy=0.5"}),
+                ElementsAre(AllOf(HasSubstr("stage heap"), HasSubstr("22.15 mm/s"))));
     EXPECT_THAT(notes({"stages.heap.settle_energy=0.1"}), IsEmpty());
 }
 
@@ -84,11 +90,13 @@ TEST(SceneNotes, SizesFarFromTheDiameterOfTheMaterial) {
         return scene_notes(scene);
     };
     EXPECT_THAT(with_sizes(30e-6, 75e-6), IsEmpty());
-    EXPECT_THAT(with_sizes(4e-6, 50e-6), ElementsAre(HasSubstr("measure 4 um to 50 um, far from material.diameter (50 um)")));
+    EXPECT_THAT(with_sizes(4e-6, 50e-6),
+                ElementsAre(HasSubstr("measure 4 um to 50 um, far from material.diameter (50 um)")));
     EXPECT_THAT(with_sizes(10e-6, 20e-6), ElementsAre(HasSubstr("far from material.diameter")));
     EXPECT_THAT(with_sizes(80e-6, 90e-6), ElementsAre(HasSubstr("far from material.diameter")));
     EXPECT_THAT(with_sizes(50e-6, 250e-6), ElementsAre(HasSubstr("far from material.diameter")));
-    EXPECT_THAT(with_sizes(40e-3, 40e-3), ElementsAre(HasSubstr("no particle passes"), HasSubstr("measure 40 mm, far")));
+    EXPECT_THAT(with_sizes(40e-3, 40e-3),
+                ElementsAre(HasSubstr("no particle passes"), HasSubstr("measure 40 mm, far")));
 }
 
 }  // namespace

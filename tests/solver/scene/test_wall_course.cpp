@@ -32,8 +32,9 @@ std::string move(const std::string& wall, const std::string& velocity, const std
 const std::string fill_and_heap = "  - fill\n  - heap\n";
 
 TEST(WallCourse, TheGateMustBeGoneBeforeTheBladeComes) {
-    EXPECT_THAT(refusal("  - fill\n  - spread: {length: 20 dp}\n"),
-                AllOf(HasSubstr("stages.1.spread"), HasSubstr("the gate stands in the way of the blade"), HasSubstr("heap")));
+    EXPECT_THAT(
+        refusal("  - fill\n  - spread: {length: 20 dp}\n"),
+        AllOf(HasSubstr("stages.1.spread"), HasSubstr("the gate stands in the way of the blade"), HasSubstr("heap")));
     EXPECT_NO_THROW(scene_of(with_stages("  - fill\n  - remove: {wall: gate}\n  - spread: {length: 20 dp}\n")));
     EXPECT_NO_THROW(scene_of(with_stages(fill_and_heap + "  - spread: {length: 20 dp}\n")));
 }
@@ -46,7 +47,8 @@ TEST(WallCourse, ABladeThatIsMovedMeetsTheGateToo) {
 
 TEST(WallCourse, NothingLeavesTheDomain) {
     for (const char* down : {"0 m/s, 0 m/s, -50 mm/s", "0 m/s, 0 m/s, 50 mm/s"})
-        EXPECT_THAT(refusal(fill_and_heap + move("base", down, "1 ms")), HasSubstr("\"base\" may move along x and y only"));
+        EXPECT_THAT(refusal(fill_and_heap + move("base", down, "1 ms")),
+                    HasSubstr("\"base\" may move along x and y only"));
     EXPECT_NO_THROW(scene_of(with_stages(fill_and_heap + move("base", "10 mm/s, 5 mm/s, 0 m/s", "1 ms"))));
     EXPECT_THAT(refusal(fill_and_heap + move("rear", "-10 mm/s, 0 m/s, 0 m/s", "1 ms")), HasSubstr("domain ends"));
     EXPECT_THAT(refusal(fill_and_heap + move("front", "10 mm/s, 0 m/s, 0 m/s", "1 ms")), HasSubstr("domain ends"));
@@ -71,7 +73,8 @@ TEST(WallCourse, TheBladeMustNotGoThroughTheBase) {
 TEST(WallCourse, ABladeAboveItsClearanceIsNotTakenForOneThatIsThere) {
     const std::string spread = fill_and_heap + "  - spread: {length: 20 dp}\n";
     const std::string high = "clearance: 1.5 dp, speed: 50 mm/s, height: 3 dp";
-    EXPECT_THAT(refusal(spread, high), AllOf(HasSubstr("the blade stands 3 dp above"), HasSubstr("clearance (1.5 dp)")));
+    EXPECT_THAT(refusal(spread, high),
+                AllOf(HasSubstr("the blade stands 3 dp above"), HasSubstr("clearance (1.5 dp)")));
     // lowered to its clearance first: 1.5 ms at 50 mm/s
     const std::string lowered = fill_and_heap + move("blade", "0 m/s, 0 m/s, -50 mm/s", "1.5 ms");
     const Scene scene = scene_of(with_stages(lowered + "  - spread: {length: 20 dp}\n", high));
@@ -88,7 +91,8 @@ TEST(WallCourse, PlanesThatFaceEachOtherMustNotMeet) {
         return "scene: particles\nstiffness_ratio: 0.001\nparticles: table.csv\n" + testing::model_text +
                "walls:\n"
                "  - plane: {name: floor, normal: [0, 0, 1]}\n"
-               "  - plane: {name: lid, point: [0 m, 0 m, 100 um], normal: [0, 0, -1], velocity: [0 m/s, 0 m/s, -50 mm/s]}\n"
+               "  - plane: {name: lid, point: [0 m, 0 m, 100 um], normal: [0, 0, -1], velocity: [0 m/s, 0 m/s, -50 "
+               "mm/s]}\n"
                "  - plane: {name: side, normal: [1, 0, 0], velocity: [-1 m/s, 0 m/s, 0 m/s]}\n"
                "duration: " +
                duration + "\n";
