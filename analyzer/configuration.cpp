@@ -66,7 +66,6 @@ void refuse_gaps(const Config& config, const SourceInfo& info) {
     }
 }
 
-<<<<<<< HEAD
 /// Windows must lie in the period and, if outer nodes are dropped, in the region.
 void check_windows(const Config& config, const AnalysisConfig& result, double nx, double ny) {
     for (const auto& [key, window] :
@@ -75,49 +74,12 @@ void check_windows(const Config& config, const AnalysisConfig& result, double nx
         config.fail(key, fmt::format("the window is wider than the y period: {:.6g} d_p in a period of {:.6g} d_p; "
                                      "take a smaller one, e.g. --set {}={:.6g}dp",
                                      window, result.y_period / result.particle_diameter, key, ny * result.grid));
-=======
-/// Way of the blade over which the layer is as the blade left it, windows of the packing density included [m].
-double undisturbed_way(const SourceInfo& info, const AnalysisConfig& config) {
-    if (std::isnan(info.layer_end)) return info.spread_length;
-    const double overhang = 0.5 * (config.phi_window - config.grid) * config.particle_diameter;
-    return info.layer_end - info.blade_start - std::max(overhang, 0.0);
-}
-
-/// Region along x: given, or the way of the blade without its first and its last part [paper section 3] and what powder
-/// flowed back over, shortened to whole cells.
-void read_region(const Config& config, const SourceInfo& info, AnalysisConfig& result) {
-    if (config.has("x_range")) {
-        for (const std::string_view key : {"skip_start", "skip_end"}) {
-            if (config.has(key))
-                config.fail(key, "x_range is given too; give either x_range or what to skip of the spreading length");
-        }
-        const std::vector<double> range = config.quantities("x_range", Dimension::length, 2);
-        result.x_begin = range[0];
-        result.x_end = range[1];
-        return;
->>>>>>> h/workflow
     }
     // Outer nodes drop in pairs, one at either end.
     const double dropped = std::max(0.0, std::ceil((result.phi_window / result.grid - 1) / 2 - fits_within));
     if (result.phi_x_edge == WindowEdge::interior && nx - 2 * dropped < 1) {
         config.fail("phi_x_edge", "no window lies in the region; take a smaller phi_window or a longer region");
     }
-<<<<<<< HEAD
-=======
-    constexpr double paper_start = 100.0 / 500, paper_end = 10.0 / 500;
-    const double start =
-        config.quantity_or("skip_start", Dimension::length, paper_start * info.spread_length, Range::not_negative());
-    const double end =
-        config.quantity_or("skip_end", Dimension::length, paper_end * info.spread_length, Range::not_negative());
-    const double cell = result.grid * result.particle_diameter;
-    const double way = std::min(info.spread_length - end, undisturbed_way(info, result));
-    const double cells = std::floor((way - start) / cell + alignment);
-    if (cells < 1)
-        config.fail(config.has("skip_start") ? "skip_start" : "skip_end",
-                    "nothing is left of the spreading length; skip less, or give x_range");
-    result.x_begin = info.blade_start + start;
-    result.x_end = result.x_begin + cells * cell;
->>>>>>> h/workflow
 }
 
 /// A grid that is asked for by name must fit; otherwise its cells are stretched.
@@ -237,7 +199,8 @@ AnalysisConfig read_analysis_config(const Config& given, const SourceInfo& info)
     read_bootstrap(config, result);
     read_voxels(config, result);
     const double d = result.particle_diameter;
-    const Region region = read_region(config, info, {d, result.grid * d});
+    const double overhang = std::max(0.0, 0.5 * (result.phi_window - result.grid)) * d;
+    const Region region = read_region(config, info, {d, result.grid * d, overhang});
     result.x_begin = region.begin;
     result.x_end = region.end;
     config.finish();

@@ -1,8 +1,6 @@
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include "analyzer/commands/commands.hpp"
 #include "analyzer/freed_memory.hpp"
+#include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/version.hpp"
 
@@ -16,16 +14,7 @@ int parse_and_run(int argc, char** argv) {
     recoat::add_convergence_command(app);
     recoat::add_describe_command(app);
     recoat::add_convert_command(app);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::CallForHelp& error) {
-        return app.exit(error);
-    } catch (const CLI::CallForVersion& error) {
-        return app.exit(error);
-    } catch (const CLI::ParseError& error) {
-        throw recoat::InputError(fmt::format("{}; see recoat-analyze --help", error.what()));
-    }
-    return 0;
+    return recoat::parse_command_line(app, argc, argv).value_or(0);
 }
 
 }  // namespace

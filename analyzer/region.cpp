@@ -27,13 +27,20 @@ Region of_particles(const Config& config, const SourceInfo& info, const RegionSc
     return {begin, begin + cells * scale.cell};
 }
 
+/// Way of the blade over which the layer is as the blade left it, windows of the packing density included [m].
+double undisturbed_way(const SourceInfo& info, const RegionScale& scale) {
+    if (std::isnan(info.layer_end)) return info.spread_length;
+    return info.layer_end - info.blade_start - scale.overhang;
+}
+
 Region of_blade(const Config& config, const SourceInfo& info, const RegionScale& scale) {
     constexpr double paper_start = 100.0 / 500, paper_end = 10.0 / 500;
     const double start =
         config.quantity_or("skip_start", Dimension::length, paper_start * info.spread_length, Range::not_negative());
     const double end =
         config.quantity_or("skip_end", Dimension::length, paper_end * info.spread_length, Range::not_negative());
-    const double cells = std::floor((info.spread_length - start - end) / scale.cell + fits_within);
+    const double way = std::min(info.spread_length - end, undisturbed_way(info, scale));
+    const double cells = std::floor((way - start) / scale.cell + fits_within);
     if (cells < 1)
         config.fail(config.has("skip_start") ? "skip_start" : "skip_end",
                     "nothing is left of the spreading length; skip less, or give x_range");

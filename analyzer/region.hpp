@@ -9,6 +9,7 @@ namespace recoat {
 struct RegionScale {
     double diameter = 0;  ///< d_p
     double cell = 0;      ///< nominal side of a cell
+    double overhang = 0;  ///< of the windows of the packing density beyond their cells
 };
 
 /// The region along x [m].
@@ -16,7 +17,8 @@ struct Region {
     double begin = 0, end = 0;
 };
 
-/// Region along x: `x_range`; or the way of the blade without `skip_start` and `skip_end` [paper section 3]; or the
+/// Region along x: `x_range`; or the way of the blade without `skip_start` and `skip_end` [paper section 3] and what
+/// powder flowed back over; or the
 /// extent of the particles, one diameter in from its ends. The last two are shortened to whole cells.
 /// @throws InputError when nothing is left, or when it ends before it begins.
 [[nodiscard]] Region read_region(const Config& config, const SourceInfo& info, const RegionScale& scale);

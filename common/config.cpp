@@ -12,6 +12,7 @@
 #include "common/config_spelling.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/readable.hpp"
 
 namespace recoat {
 
@@ -31,16 +32,14 @@ bool Range::contains(double value) const {
 namespace {
 
 std::string describe(const Range& range, Dimension dimension) {
-    const std::string unit = si_unit(dimension).empty() ? "" : fmt::format(" {}", si_unit(dimension));
+    const auto bound = [&](double value) {
+        return dimension == Dimension::none ? shortest(value) : readable(value, si_unit(dimension));
+    };
     std::vector<std::string> bounds;
-    if (std::isfinite(range.lower)) {
-        bounds.push_back(
-            fmt::format("{} {}{}", range.lower_open ? "greater than" : "at least", shortest(range.lower), unit));
-    }
-    if (std::isfinite(range.upper)) {
-        bounds.push_back(
-            fmt::format("{} {}{}", range.upper_open ? "less than" : "at most", shortest(range.upper), unit));
-    }
+    if (std::isfinite(range.lower))
+        bounds.push_back((range.lower_open ? "greater than " : "at least ") + bound(range.lower));
+    if (std::isfinite(range.upper))
+        bounds.push_back((range.upper_open ? "less than " : "at most ") + bound(range.upper));
     return bounds.empty() ? "finite" : fmt::format("{}", fmt::join(bounds, " and "));
 }
 

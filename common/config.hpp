@@ -97,6 +97,9 @@ public:
     /// Throws InputError "file:line: section.key: problem_and_advice"; an empty key means this mapping.
     [[noreturn]] void fail(std::string_view key, const std::string& problem_and_advice) const;
 
+    /// Throws InputError when this mapping has a key that is none of these, as finish() does; so a misspelt key is
+    /// named before anything that follows from its absence.
+    void allow_only(std::span<const std::string_view> keys) const;
     /// Throws InputError when this mapping, or one that was read below it, has a key that was not read; suggests the
     /// known key that it may be meant to be.
     void finish() const;

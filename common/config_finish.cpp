@@ -16,6 +16,13 @@ void Config::refuse_unread(const std::string& key, const ConfigNode& value) cons
     fail_at(value, key, fmt::format("the key is unknown; remove it or use one of {}", fmt::join(node_->asked, ", ")));
 }
 
+void Config::allow_only(std::span<const std::string_view> keys) const {
+    for (const std::string_view key : keys) node_->asked.emplace(key);
+    for (const auto& [key, value] : node_->entries) {
+        if (!node_->asked.contains(key)) refuse_unread(key, *value);
+    }
+}
+
 void Config::finish() const {
     for (const auto& [key, value] : node_->entries) {
         if (!node_->used.contains(key)) refuse_unread(key, *value);

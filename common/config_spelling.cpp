@@ -1,28 +1,8 @@
 #include "common/config_spelling.hpp"
 
 #include <algorithm>
-#include <vector>
 
 namespace recoat {
-namespace {
-
-template <class Words>
-std::string closest(const Words& words, std::string_view wanted) {
-    // A third of the letters may differ: "bond_numer" is close, "density" and "diameter" are not.
-    std::size_t best = std::max<std::size_t>(1, wanted.size() / 3) + 1;
-    std::string found;
-    for (const std::string& word : words) {
-        const std::size_t distance = edit_distance(word, wanted);
-        if (distance < best) {
-            best = distance;
-            found = word;
-        }
-    }
-    return found;
-}
-
-}  // namespace
-
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> before, previous, current(b.size() + 1);
     for (std::size_t j = 0; j <= b.size(); ++j) current[j] = j;
@@ -40,14 +20,30 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return current.back();
 }
 
+std::string closest_word(const std::vector<std::string>& words, std::string_view wanted) {
+    // "bond_numer" is close, "density" and "diameter" are not.
+    std::size_t best = std::max<std::size_t>(1, wanted.size() / 3) + 1;
+    std::string found;
+    for (const std::string& word : words) {
+        const std::size_t distance = edit_distance(word, wanted);
+        if (distance < best) {
+            best = distance;
+            found = word;
+        }
+    }
+    return found;
+}
+
 std::string closest_unknown(const ConfigNode& node, std::string_view wanted) {
     std::vector<std::string> unknown;
     for (const auto& [key, value] : node.entries) {
         if (!node.asked.contains(key)) unknown.push_back(key);
     }
-    return closest(unknown, wanted);
+    return closest_word(unknown, wanted);
 }
 
-std::string closest_known(const ConfigNode& node, std::string_view unknown) { return closest(node.asked, unknown); }
+std::string closest_known(const ConfigNode& node, std::string_view unknown) {
+    return closest_word({node.asked.begin(), node.asked.end()}, unknown);
+}
 
 }  // namespace recoat

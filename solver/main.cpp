@@ -2,8 +2,7 @@
 #include <cstdio>
 #include <thread>
 
-#include <CLI/CLI.hpp>
-
+#include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/version.hpp"
 #include "solver/cli/check.hpp"
@@ -18,6 +17,8 @@
 namespace {
 
 using namespace recoat;
+
+constexpr int most_threads = 1024;
 
 struct Arguments {
     std::string scene, out, folder, sweep;
@@ -83,7 +84,8 @@ int sweep(const Arguments& arguments) {
 
 int check(const Arguments& arguments) {
     const Scene scene = load_scene(arguments.scene, arguments.settings);
-    std::fputs(check_report(scene, resources_of(arguments), arguments.json, real_engine).c_str(), stdout);
+    const Resources resources = resources_of(arguments);
+    std::fputs(check_report(scene, resources, arguments.out, arguments.json, real_engine).c_str(), stdout);
     return 0;
 }
 
@@ -105,18 +107,18 @@ void add_overwrite(CLI::App& command, Arguments& arguments) {
 void add_progress(CLI::App& command, Arguments& arguments) {
     add_quiet(command, arguments);
     command.add_option("--until-step", arguments.until_step, "Stop at this step with a checkpoint")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number(0));
 }
 
 void add_resources(CLI::App& command, Arguments& arguments,
                    const char* threads = "Threads (default: all cores); results do not depend on it") {
-    command.add_option("--threads", arguments.resources.threads, threads)->check(CLI::PositiveNumber);
+    command.add_option("--threads", arguments.resources.threads, threads)->check(whole_number(1, most_threads));
     command
         .add_option("--backend", arguments.resources.backend,
                     "Where to compute: cpu, cuda, or auto for a CUDA device where there is one (default)")
         ->check(CLI::IsMember({"auto", "cpu", "cuda"}));
     command.add_option("--device", arguments.resources.device, "Number of the CUDA device (default: 0)")
-        ->check(CLI::NonNegativeNumber);
+        ->check(whole_number(0, 1023));
 }
 
 void add_commands(CLI::App& app, Arguments& arguments) {
@@ -139,7 +141,7 @@ void add_commands(CLI::App& app, Arguments& arguments) {
     sweep_command
         .add_option("--jobs", arguments.jobs,
                     "Cases at the same time (default: all on a CUDA device; on the CPU as many as have cores)")
-        ->check(CLI::PositiveNumber);
+        ->check(whole_number(1, most_threads));
     add_overwrite(sweep_command, arguments);
     add_quiet(sweep_command, arguments);
     add_resources(sweep_command, arguments,
@@ -148,6 +150,7 @@ void add_commands(CLI::App& app, Arguments& arguments) {
     CLI::App& check_command =
         *app.add_subcommand("check", "Print derived numbers, time-step limits, expected run time");
     add_scene(check_command, arguments);
+    check_command.add_option("--out", arguments.out, "Folder for a run, to see whether its disk has the room");
     check_command.add_flag("--json", arguments.json, "As JSON, in SI units");
     add_resources(check_command, arguments);
 
@@ -173,11 +176,7 @@ int main(int argc, char** argv) {
                              "recoat-solve " + program_version() + ", loops for " + name_of(chosen_instruction_set()));
         app.require_subcommand(1);
         add_commands(app, arguments);
-        try {
-            app.parse(argc, argv);
-        } catch (const CLI::ParseError& error) {
-            return app.exit(error) == 0 ? 0 : 2;
-        }
+        if (const std::optional<int> code = parse_command_line(app, argc, argv)) return *code;
         return dispatch(app, arguments);
     });
 }

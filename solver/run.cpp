@@ -5,13 +5,17 @@
 #include "common/config.hpp"
 #include "common/error.hpp"
 #include "common/version.hpp"
+#include "solver/other_configuration.hpp"
 #include "solver/output/checkpoint.hpp"
 #include "solver/output/folder_lock.hpp"
+#include "solver/output/output_size.hpp"
 #include "solver/output/summary.hpp"
 #include "solver/progress_line.hpp"
+#include "solver/run_files.hpp"
 #include "solver/scene/initial_particles.hpp"
 #include "solver/scene/read_scene.hpp"
 #include "solver/stage_runner.hpp"
+#include "solver/start_overlaps.hpp"
 
 namespace recoat {
 namespace {
@@ -22,31 +26,17 @@ namespace fs = std::filesystem;
 struct Plan {
     enum Kind { start, resume, nothing } kind = start;
     LatestCheckpoint latest;  ///< to resume from
+    std::string note = {};    ///< why, where that is not plain
 };
 
 void refuse_other_scene(const std::string& config, const Scene& scene, const fs::path& folder) {
     if (config == scene.resolved) return;
-    throw InputError(
-        folder.string() +
-        ": the folder holds a run of another configuration; choose another folder for --out, or replace it "
-        "with --overwrite");
+    throw InputError(folder.string() + ": the folder holds a run of another configuration (" +
+                     configuration_differences(config, scene.resolved) +
+                     "); choose another folder for --out, or replace it with --overwrite");
 }
 
-/// Whether the states of the first `stages` stages are in place.
-bool has_states(const Scene& scene, const fs::path& folder, std::size_t stages) {
-    for (std::size_t k = 0; k < stages; ++k) {
-        if (!fs::exists(folder / (scene.stages[k].name + ".vtkhdf"))) return false;
-    }
-    return true;
-}
-
-/// Whether every file of a finished run is in place.
-bool complete(const Scene& scene, const fs::path& folder) {
-    if (!has_states(scene, folder, scene.stages.size())) return false;
-    return scene.output.trajectory_interval == 0 || fs::exists(folder / "trajectory.vtkhdf");
-}
-
-/// The plan for a folder without a finished run.
+/// The plan for a folder without a whole finished run.
 Plan plan_for_checkpoint(const Scene& scene, const fs::path& folder, bool overwrite) {
     if (!has_checkpoint(folder)) return {Plan::start, {}};
     try {
@@ -54,8 +44,15 @@ Plan plan_for_checkpoint(const Scene& scene, const fs::path& folder, bool overwr
         const Checkpoint& checkpoint = latest.checkpoint;
         if (overwrite && checkpoint.config != scene.resolved) return {Plan::start, {}};
         refuse_other_scene(checkpoint.config, scene, folder);
-        const bool whole = has_states(scene, folder, checkpoint.progress.stage);
-        if (!whole || checkpoint.version != program_version()) return {Plan::start, {}};
+        if (checkpoint.version != program_version())
+            return {Plan::start, {}, "the earlier run is of version " + checkpoint.version + "; it starts anew"};
+        MissingFiles missing = missing_files(scene, folder, checkpoint.progress);
+        missing.states.insert(missing.states.end(), missing.frames.begin(), missing.frames.end());
+        if (!missing.states.empty())
+            return {Plan::start,
+                    {},
+                    list_of(missing.states) + " of the earlier run " + (missing.states.size() == 1 ? "is" : "are") +
+                        " gone; it starts anew"};
         return {Plan::resume, std::move(latest)};
     } catch (const InputError&) {
         if (overwrite) return {Plan::start, {}};  // a damaged one, too
@@ -71,7 +68,7 @@ Plan plan_for(const Scene& scene, const fs::path& folder, bool overwrite) {
         if (overwrite && (summary->config != scene.resolved || summary->version != program_version()))
             return {Plan::start, {}};
         refuse_other_scene(summary->config, scene, folder);
-        if (summary->finished) return {complete(scene, folder) ? Plan::nothing : Plan::start, {}};
+        if (summary->finished && is_complete(scene, folder)) return {Plan::nothing, {}};
     }
     return plan_for_checkpoint(scene, folder, overwrite);
 }
@@ -94,10 +91,24 @@ void make_folder(const fs::path& folder) {
     }
 }
 
+/// What is probably not meant, before the time for it is spent.
+void say_notes(const Scene& scene, const RunOptions& options, const Engine& engine) {
+    ProgressLine line(options.quiet, 0, options.name);
+    const auto particles = static_cast<std::int64_t>(engine.particles().size());
+    const OutputSize size = output_size(scene, particles, engine_bytes(engine.save()));
+    std::vector<std::string> notes = scene.notes;
+    notes.push_back(start_overlaps(scene, engine));
+    notes.push_back(space_note(size, options.folder));
+    for (const std::string& note : notes) {
+        if (!note.empty()) line.say("Note: " + note + ".");
+    }
+}
+
 int start(const Scene& scene, const RunOptions& options, const EngineFactory& factory) {
     clear(scene, options.folder);
     const ParticleTable particles = initial_particles(scene);
     const auto engine = factory.make(engine_setup(scene, options.resources), particles, scene.walls);
+    say_notes(scene, options, *engine);
     RunProgress progress;
     progress.start = engine->ledger();
     return StageRunner(scene, options, *engine, progress).run();
@@ -113,6 +124,9 @@ int continue_from(const Scene& scene, const LatestCheckpoint& latest, const RunO
         line.say("Note: the checkpoint was written by version " + checkpoint.version + ", this is " +
                  program_version() + ".");
     }
+    const MissingFiles missing = missing_files(scene, options.folder, checkpoint.progress);
+    if (!missing.states.empty())
+        line.say("Note: not there any more, and not to be made again: " + list_of(missing.states) + ".");
     line.say("Continuing at step " + std::to_string(engine->step()) + ".");
     return StageRunner(scene, options, *engine, checkpoint.progress).run();
 }
@@ -129,27 +143,46 @@ int with_folder(const RunOptions& options, const Body& body) {
     }
 }
 
+int nothing_to_do(const RunOptions& options) {
+    ProgressLine(options.quiet, 0, options.name)
+        .say(options.folder.string() + ": this run is finished already; nothing to do.");
+    return 0;
+}
+
 int run_in_folder(const Scene& scene, const RunOptions& options, const EngineFactory& factory) {
     const Plan plan = plan_for(scene, options.folder, options.overwrite);
-    if (plan.kind == Plan::nothing) {
-        ProgressLine(options.quiet, 0).say(options.folder.string() + ": this run is finished already; nothing to do.");
-        return 0;
-    }
+    if (plan.kind == Plan::nothing) return nothing_to_do(options);
     remove_unfinished_files(options.folder);
+    if (!plan.note.empty()) ProgressLine(options.quiet, 0, options.name).say("Note: " + plan.note + ".");
     if (plan.kind == Plan::start) return start(scene, options, factory);
     return continue_from(scene, plan.latest, options, factory);
 }
 
-int resume_in_folder(const RunOptions& options, const EngineFactory& factory) {
-    const LatestCheckpoint latest = read_latest_checkpoint(options.folder);
-    const std::string& config = latest.checkpoint.config;
-    Scene scene = read_scene(Config::parse(config, (options.folder / "checkpoint.h5").string()), options.folder);
+Scene earlier_scene(const std::string& config, const fs::path& file) {
+    Scene scene = read_scene(Config::parse(config, file.string()), file.parent_path());
     scene.resolved = config;
-    const std::optional<EarlierSummary> summary = read_summary(options.folder / "summary.json");
-    if (summary && summary->finished && complete(scene, options.folder)) {
-        ProgressLine(options.quiet, 0).say(options.folder.string() + ": this run is finished already; nothing to do.");
-        return 0;
-    }
+    return scene;
+}
+
+/// What cannot be made again keeps a run from ever being whole.
+void refuse_lost_files(const Scene& scene, const RunProgress& progress, const fs::path& folder) {
+    const MissingFiles missing = missing_files(scene, folder, progress);
+    const bool at_end = progress.stage == scene.stages.size();
+    const std::vector<std::string>& lost = missing.frames.empty() && at_end ? missing.states : missing.frames;
+    if (lost.empty()) return;
+    throw InputError(folder.string() + ": " + list_of(lost) + (lost.size() == 1 ? " is" : " are") +
+                     " gone, and the checkpoint is of a later moment; put it back, or start the run anew with "
+                     "recoat-solve run");
+}
+
+int resume_in_folder(const RunOptions& options, const EngineFactory& factory) {
+    const fs::path summary_file = options.folder / "summary.json";
+    const std::optional<EarlierSummary> summary = read_summary(summary_file);
+    if (summary && summary->finished && is_complete(earlier_scene(summary->config, summary_file), options.folder))
+        return nothing_to_do(options);
+    const LatestCheckpoint latest = read_latest_checkpoint(options.folder);
+    const Scene scene = earlier_scene(latest.checkpoint.config, options.folder / "checkpoint.h5");
+    refuse_lost_files(scene, latest.checkpoint.progress, options.folder);
     make_folder(options.folder);
     remove_unfinished_files(options.folder);
     return continue_from(scene, latest, options, factory);

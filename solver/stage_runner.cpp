@@ -8,6 +8,8 @@
 #include "solver/output/checkpoint.hpp"
 #include "solver/output/packing_density.hpp"
 #include "solver/output/state_of_engine.hpp"
+#include "solver/run_ending.hpp"
+#include "solver/run_files.hpp"
 #include "solver/stop_request.hpp"
 
 namespace recoat {
@@ -45,6 +47,7 @@ StageRunner::StageRunner(const Scene& scene, const RunOptions& options, Engine& 
 
 int StageRunner::run() {
     if (engine_.step() == 0 && progress_.energy.empty() && progress_.frames.empty()) sample();
+    remake_last_state();
     while (progress_.stage < scene_.stages.size()) {
         if (must_stop() || !run_stage(scene_.stages[progress_.stage])) return stop();
     }
@@ -52,8 +55,25 @@ int StageRunner::run() {
     return 0;
 }
 
+void StageRunner::write_stage(const Stage& stage) const {
+    StateInfo info = state_info(scene_, stage.name, options_.resources.backend);
+    if (!progress_.blade_stop.x.empty())
+        info.layer_end = layer_end(progress_.blade_stop, engine_.particles(), scene_.diameter);
+    write_state(options_.folder / (stage.name + ".vtkhdf"), info, state_of_engine(engine_, scene_.y_period));
+}
+
+/// Where it was deleted, and the engine is still where the stage ended.
+void StageRunner::remake_last_state() {
+    if (!missing_files(scene_, options_.folder, progress_).last_state) return;
+    const Stage& stage = scene_.stages[progress_.stage - 1];
+    write_stage(stage);
+    line_.say(stage.name + ".vtkhdf was gone; it is made again from the checkpoint.");
+}
+
 bool StageRunner::run_stage(const Stage& stage) {
-    line_.begin(stage.name, stage_steps(), stage.steps());
+    std::int64_t later = 0;
+    for (std::size_t k = progress_.stage + 1; k < scene_.stages.size(); ++k) later += scene_.stages[k].steps();
+    line_.begin({stage.name, stage_steps(), stage.steps(), later});
     while (progress_.segment < stage.segments.size()) {
         if (!run_segment(stage.segments[progress_.segment])) return false;
     }
@@ -188,7 +208,7 @@ int StageRunner::stop() {
     save_checkpoint();
     summarise(RunStatus::stopped);
     line_.say("Stopped at step " + std::to_string(engine_.step()) + "; continue with: recoat-solve resume " +
-              options_.folder.string());
+              quoted(options_.folder));
     return stop_signal() != 0 ? 128 + stop_signal() : 0;
 }
 
@@ -208,14 +228,11 @@ void StageRunner::finish_stage(const Stage& stage) {
         const double area = scene_.spread->fill_length * scene_.y_period;
         record.packing_density = bed_packing_density(engine_.particles(), area);
     }
-    StateInfo info = state_info(scene_, stage.name, options_.resources.backend);
-    if (!progress_.blade_stop.x.empty()) {
+    if (!progress_.blade_stop.x.empty())
         record.layer_end = layer_end(progress_.blade_stop, engine_.particles(), scene_.diameter);
-        info.layer_end = *record.layer_end;
-    }
-    write_state(options_.folder / (stage.name + ".vtkhdf"), info, state_of_engine(engine_, scene_.y_period));
+    write_stage(stage);
     progress_.walls.add(engine_);
-    line_.say(stage.name + ": " + std::to_string(record.steps) + " steps" + (record.settled ? ", settled." : "."));
+    line_.say(stage_ending(stage, record));
     progress_.finished.push_back(record);
     progress_.stage_first_step = engine_.step();
     progress_.stage_wall_seconds = 0;
@@ -230,6 +247,7 @@ void StageRunner::finish_run() {
     if (!progress_.frames.empty())
         trajectory_.assemble(progress_.frames, state_info(scene_, last, options_.resources.backend));
     summarise(RunStatus::finished);
+    line_.say(run_ending(scene_, progress_, options_.folder));
 }
 
 void StageRunner::count_time() {

@@ -24,6 +24,8 @@ public:
 private:
     using Clock = std::chrono::steady_clock;
 
+    void write_stage(const Stage& stage) const;
+    void remake_last_state();
     // Each returns false when the run was stopped before the end.
     bool run_stage(const Stage& stage);
     bool run_segment(const Segment& segment);

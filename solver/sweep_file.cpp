@@ -1,6 +1,8 @@
 #include "solver/sweep_file.hpp"
 
+#include <array>
 #include <map>
+#include <string_view>
 
 #include "common/config.hpp"
 #include "common/error.hpp"
@@ -28,6 +30,8 @@ std::string text_of_case(const Config& entry, const std::string& key) {
 }
 
 SweepCase read_case(const Config& sweep, const Config& entry, const fs::path& folder) {
+    constexpr std::array<std::string_view, 3> keys = {"out", "set", "scene"};
+    entry.allow_only(keys);
     SweepCase result;
     result.name = text_of_case(entry, "out");
     result.folder = folder / result.name;
@@ -42,6 +46,8 @@ SweepCase read_case(const Config& sweep, const Config& entry, const fs::path& fo
 
 std::vector<SweepCase> read_sweep(const fs::path& file) {
     const Config sweep = Config::load(file);
+    constexpr std::array<std::string_view, 2> keys = {"scene", "cases"};
+    sweep.allow_only(keys);
     if (sweep.has("scene")) (void)text_of_case(sweep, "scene");
     std::vector<SweepCase> cases;
     std::map<fs::path, std::string> places;

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <tbb/global_control.h>
 
@@ -10,6 +9,7 @@
 #include "analyzer/readers/frame.hpp"
 #include "analyzer/readers/reader.hpp"
 #include "analyzer/region.hpp"
+#include "common/command_line.hpp"
 #include "common/error.hpp"
 
 namespace recoat {
@@ -24,7 +24,7 @@ void add_layer_arguments(CLI::App& command, LayerArguments& arguments) {
         .add_option("--set", arguments.settings, "Replace a value of the configuration: key=value (may be repeated)")
         ->allow_extra_args(false);
     command.add_option("--threads", arguments.threads, "Number of threads; all cores if not given")
-        ->check(CLI::PositiveNumber);
+        ->check(whole_number(1, 1024));
 }
 
 Config load_config(const LayerArguments& arguments) {

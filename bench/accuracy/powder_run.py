@@ -70,6 +70,11 @@ def layer_quantities(build, folder, skips):
     }
 
 
+def balance_error(energy):
+    """Error of the energy balance of a stage as a share of the work of walls, or else of the dissipated energy."""
+    return energy["balance_error"] / (abs(energy["wall_work"]) or abs(energy["dissipated"]) or 1)
+
+
 def measure(build, scene, run, folder):
     """The record of one run."""
     bed = run["kind"] == "bed"
@@ -89,7 +94,7 @@ def measure(build, scene, run, folder):
         "steps": sum(stage["steps"] for stage in stages),
         "simulated_seconds": sum(stage["time"] for stage in stages),
         "largest_overlap": max(stage["largest_overlap"] for stage in stages),
-        "energy_balance_error": stages[-1]["energy"]["balance_error_relative"],
+        "energy_balance_error": balance_error(stages[-1]["energy"]),
         "quantities": quantities,
     }
 

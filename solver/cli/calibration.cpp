@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fstream>
 #include <limits>
 
 #include <unistd.h>
+
+#include "common/error.hpp"
+#include "solver/output/output_size.hpp"
 
 namespace recoat {
 namespace {
@@ -47,6 +51,42 @@ EngineSetup open_setup(const Scene& scene, const Resources& resources) {
     return setup;
 }
 
+/// Of the calling thread: it calculates, or waits actively for those that help it.
+double thread_seconds() {
+    timespec time{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Steps that take about `seconds`.
+std::int64_t steps_of(Engine& engine, double seconds) {
+    for (std::int64_t steps = 8;; steps *= 2) {
+        const Clock::time_point start = Clock::now();
+        engine.advance(steps);
+        const double taken = std::chrono::duration<double>(Clock::now() - start).count();
+        if (taken >= 0.25 * seconds)
+            return std::max<std::int64_t>(1, std::llround(static_cast<double>(steps) * seconds / taken));
+    }
+}
+
+/// Steps per second, the best of several measurements; adds the share of the processor.
+double best_rate(Engine& engine, Calibration& result) {
+    constexpr int measurements = 6;
+    constexpr double seconds_of_one = 0.07;
+    const std::int64_t steps = steps_of(engine, seconds_of_one);
+    double best = 0, seconds = 0;
+    const double processor = thread_seconds();
+    for (int i = 0; i < measurements; ++i) {
+        const Clock::time_point start = Clock::now();
+        engine.advance(steps);
+        const double taken = std::chrono::duration<double>(Clock::now() - start).count();
+        best = std::max(best, static_cast<double>(steps) / taken);
+        seconds += taken;
+    }
+    result.processor_share = std::min(1.0, (thread_seconds() - processor) / seconds);
+    return best;
+}
+
 }  // namespace
 
 Calibration calibrate(const Scene& scene, std::int64_t particles, const Resources& resources,
@@ -55,19 +95,18 @@ Calibration calibrate(const Scene& scene, std::int64_t particles, const Resource
     const double before = resident_bytes();
     const ParticleTable block = cubic_block(scene.diameter, edge);
     const auto engine = factory.make(open_setup(scene, resources), block, {});
-    engine->advance(2);
+    const auto count = static_cast<double>(block.size());
     Calibration result;
     result.particles = block.size();
-    result.bytes_per_particle = std::max(0.0, resident_bytes() - before) / static_cast<double>(block.size());
-    const Clock::time_point start = Clock::now();
-    std::int64_t steps = 0;
-    double seconds = 0;
-    for (std::int64_t chunk = 8; seconds < 0.4; chunk *= 2) {
-        engine->advance(chunk);
-        steps += chunk;
-        seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    try {
+        engine->advance(2);
+        result.bytes_per_particle = std::max(0.0, resident_bytes() - before) / count;
+        result.particle_steps_per_second = best_rate(*engine, result) * count;
+    } catch (const SimulationFault&) {
+        // Contacts that no step can follow; what is wrong with the scene is said by its notes.
     }
-    result.particle_steps_per_second = static_cast<double>(steps) * static_cast<double>(block.size()) / seconds;
+    result.checkpoint_bytes_per_particle = engine_bytes(engine->save()) / count;
+    if (resources.backend != Backend::cpu) result.processor_share = 1;  // a device calculates, the thread waits
     return result;
 }
 

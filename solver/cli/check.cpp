@@ -2,15 +2,16 @@
 
 #include <cmath>
 
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "common/state.hpp"
 #include "common/version.hpp"
 #include "solver/cli/calibration.hpp"
+#include "solver/cli/check_text.hpp"
+#include "solver/output/output_size.hpp"
 #include "solver/scene/derived.hpp"
 #include "solver/scene/initial_particles.hpp"
 #include "solver/scene/time_step_limits.hpp"
+#include "solver/start_overlaps.hpp"
 
 namespace recoat {
 namespace {
@@ -18,11 +19,6 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
-
-std::int64_t count_particles(const Scene& scene) {
-    if (const auto* column = std::get_if<ColumnSource>(&scene.source)) return column->count;
-    return static_cast<std::int64_t>(initial_particles(scene).size());
-}
 
 Json moduli_json(const EffectiveModuli& original, const EffectiveModuli& reduced, double EffectiveModuli::*member) {
     return {{"original", original.*member}, {"reduced", reduced.*member}};
@@ -81,22 +77,58 @@ Json stages_json(const Scene& scene) {
     return stages;
 }
 
-Json expectation_json(const Scene& scene, std::int64_t particles, std::int64_t steps, const Resources& resources,
-                      const EngineFactory& factory) {
-    const Calibration measured = calibrate(scene, particles, resources, factory);
-    const double work = static_cast<double>(particles) * static_cast<double>(steps);
+/// Steps of all stages: at most, and those that are made in any case, while walls move or time is given.
+struct Steps {
+    std::int64_t most = 0, fixed = 0;
+
+    explicit Steps(const Scene& scene) {
+        for (const Stage& stage : scene.stages) {
+            most += stage.steps();
+            for (const Segment& segment : stage.segments) fixed += segment.rest ? 0 : segment.steps;
+        }
+    }
+};
+
+Json expectation_json(const Scene& scene, std::int64_t particles, const Resources& resources,
+                      const Calibration& measured) {
+    const Steps steps(scene);
+    const double rate = measured.particle_steps_per_second / static_cast<double>(particles);
     return {{"backend", name_of(resources.backend)},
             {"threads", resources.threads},
             {"measured_particles", measured.particles},
             {"particle_steps_per_second", measured.particle_steps_per_second},
-            {"seconds", work / measured.particle_steps_per_second},
+            {"processor_share", measured.processor_share},
+            {"busy", measured.busy()},
+            {"seconds_without_settling", finite_or_null(static_cast<double>(steps.fixed) / rate)},
+            {"seconds", finite_or_null(static_cast<double>(steps.most) / rate)},
             {"bytes", measured.bytes_per_particle * static_cast<double>(particles)}};
 }
 
-Json report_json(const Scene& scene, const Resources& resources, const EngineFactory& factory) {
-    const std::int64_t particles = count_particles(scene);
-    std::int64_t steps = 0;
-    for (const Stage& stage : scene.stages) steps += stage.steps();
+Json output_json(const OutputSize& size, const std::filesystem::path& folder) {
+    return {{"bytes", size.left()},
+            {"bytes_meanwhile", size.most()},
+            {"trajectory_bytes", size.trajectory()},
+            {"trajectory_states", size.frames},
+            {"state_bytes", size.frame},
+            {"free_bytes", finite_or_null(free_bytes(folder))}};
+}
+
+/// The particles that the run would start with, tried out: a table that no engine takes is refused here, too.
+std::vector<std::string> start_notes(const Scene& scene, const Resources& resources, const ParticleTable& particles,
+                                     const EngineFactory& factory) {
+    if (std::holds_alternative<ColumnSource>(scene.source)) return {};  // placed apart
+    const auto engine = factory.make(engine_setup(scene, resources), particles, scene.walls);
+    std::string note = start_overlaps(scene, *engine);
+    return note.empty() ? std::vector<std::string>{} : std::vector{std::move(note)};
+}
+
+Json report_json(const Scene& scene, const Resources& resources, const std::filesystem::path& folder,
+                 const EngineFactory& factory) {
+    const auto* column = std::get_if<ColumnSource>(&scene.source);
+    const ParticleTable start = column ? ParticleTable{} : initial_particles(scene);
+    const std::int64_t particles = column ? column->count : static_cast<std::int64_t>(start.size());
+    std::vector<std::string> notes = scene.notes;
+    for (std::string& note : start_notes(scene, resources, start, factory)) notes.push_back(std::move(note));
     Json report = {{"version", program_version()},
                    {"scene", scene.kind},
                    {"particles", particles},
@@ -109,93 +141,23 @@ Json report_json(const Scene& scene, const Resources& resources, const EngineFac
     report["time_step_is_automatic"] = scene.time_step_is_automatic;
     report["time_step_limits"] = limits_json(scene);
     report["stages"] = stages_json(scene);
-    report["steps"] = steps;
-    report["expected"] = expectation_json(scene, particles, steps, resources, factory);
+    report["steps"] = Steps(scene).most;
+    const Calibration measured = calibrate(scene, particles, resources, factory);
+    report["expected"] = expectation_json(scene, particles, resources, measured);
+    const OutputSize size =
+        output_size(scene, particles, measured.checkpoint_bytes_per_particle * static_cast<double>(particles));
+    report["expected"]["output"] = output_json(size, folder);
+    if (std::string note = space_note(size, folder); !note.empty()) notes.push_back(std::move(note));
+    report["notes"] = notes;
     return report;
-}
-
-std::string number(const Json& value) {
-    return value.is_null() ? "infinite" : fmt::format("{:.6g}", value.get<double>());
-}
-
-std::string row(const std::string& name, const Json& value, const std::string& unit) {
-    return fmt::format("  {:<46} {:>14} {}\n", name, number(value), unit);
-}
-
-std::string material_text(const Json& r) {
-    std::string text = "Particles\n" + row("number", r["particles"], "");
-    text += row("diameter d_p", r["diameter"], "m") + row("mass m", r["mass"], "kg");
-    text += row("moment of inertia I", r["inertia"], "kg m2") + row("weight m g", r["weight"], "N");
-    text += "Stiffness\n" + row("stiffness ratio Y^R/Y^O", r["stiffness_ratio"], "");
-    for (const char* partner : {"pair", "wall"}) {
-        for (const char* form : {"original", "reduced"}) {
-            const std::string what = fmt::format(" {}, {}", partner, form);
-            text += row("E*" + what, r["effective_modulus"][partner][form], "Pa");
-            text += row("G*" + what, r["effective_shear_modulus"][partner][form], "Pa");
-        }
-    }
-    return text + row("damping coefficient beta", r["damping_coefficient"], "");
-}
-
-std::string sizes_text(const Json& r) {
-    if (!r.contains("sizes")) return {};
-    const Json& s = r["sizes"];
-    std::string text =
-        "Sizes (mass, weight, cohesion and inertial length below are those of a sphere of diameter d_p)\n";
-    text += row("smallest diameter", s["smallest"], "m") + row("largest diameter", s["largest"], "m");
-    text += row("mean diameter, by number", s["mean"], "m") + row("Sauter diameter d_32", s["sauter"], "m");
-    text += row("median diameter, by number", s["median_by_number"], "m");
-    text += row("median diameter, by mass", s["median_by_mass"], "m");
-    text += row("Bond number, pair of the smallest", s["bond_number"]["smallest"], "");
-    return text + row("Bond number, pair of the largest", s["bond_number"]["largest"], "");
-}
-
-std::string cohesion_text(const Json& r) {
-    std::string text = "Cohesion\n" + row("Hamaker constant A^O (out of contact)", r["hamaker"]["original"], "J");
-    text += row("Hamaker constant A^R (in contact)", r["hamaker"]["reduced"], "J");
-    text +=
-        row("Bond number, pair", r["bond_number"]["pair"], "") + row("Bond number, wall", r["bond_number"]["wall"], "");
-    text += row("pull-off force, pair", r["pull_off_force"]["pair"], "N");
-    text += row("pull-off force, wall", r["pull_off_force"]["wall"], "N");
-    text += row("inertial length, pull-off force of the pair", r["inertial_length"]["paper"], "d_p");
-    return text + row("inertial length, pull-off force of the wall", r["inertial_length"]["wall"], "d_p");
-}
-
-std::string time_text(const Json& r) {
-    const std::string by = r["time_step_is_automatic"].get<bool>() ? "chosen (auto)" : "chosen";
-    std::string text = "Time step\n" + row(by, r["time_step"], "s");
-    for (const Json& limit : r["time_step_limits"]) {
-        text +=
-            fmt::format("  {:<46} {:>14} s   the step is {:.2f} % of it   {}{}\n", limit["name"].get<std::string>(),
-                        number(limit["limit"]), 100 * limit["share"].get<double>(), limit["formula"].get<std::string>(),
-                        limit["stability"].get<bool>() ? " (stability limit)" : "");
-    }
-    text += "Stages\n";
-    for (const Json& stage : r["stages"]) {
-        text += fmt::format("  {:<46} {:>14} steps, {:.6g} s{}\n", stage["name"].get<std::string>(),
-                            stage["steps"].get<std::int64_t>(), stage["time"].get<double>(),
-                            stage["may_end_early"].get<bool>() ? " at most" : "");
-    }
-    return text;
-}
-
-std::string expectation_text(const Json& r) {
-    const Json& e = r["expected"];
-    return "Expected\n" + row("steps at most", r["steps"], "") +
-           row("rate on this machine, measured", e["particle_steps_per_second"],
-               fmt::format("particle-steps/s (block of {} touching spheres, {} thread(s))",
-                           e["measured_particles"].get<std::int64_t>(), e["threads"].get<int>())) +
-           row("run time at most", Json(e["seconds"].get<double>() / 3600), "h") +
-           row("memory of the particles", Json(e["bytes"].get<double>() / 1048576), "MiB");
 }
 
 }  // namespace
 
-std::string check_report(const Scene& scene, const Resources& resources, bool json, const EngineFactory& factory) {
-    const Json report = report_json(scene, resources, factory);
-    if (json) return report.dump(2) + "\n";
-    return sizes_text(report) + material_text(report) + cohesion_text(report) + time_text(report) +
-           expectation_text(report);
+std::string check_report(const Scene& scene, const Resources& resources, const std::filesystem::path& folder, bool json,
+                         const EngineFactory& factory) {
+    const Json report = report_json(scene, resources, folder, factory);
+    return json ? report.dump(2) + "\n" : check_text(report);
 }
 
 }  // namespace recoat

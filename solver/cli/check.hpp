@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 
 #include "solver/scene/engine_factory.hpp"
@@ -8,8 +9,9 @@
 namespace recoat {
 
 /// What `recoat-solve check` prints: every derived number of the scene, each limit of the time step with its formula
-/// and the chosen step's share of it, steps per stage, expected run time and memory. As text, or as JSON in SI units
-/// (inertial lengths in d_p).
-std::string check_report(const Scene& scene, const Resources& resources, bool json, const EngineFactory& factory);
+/// and the chosen step's share of it, steps per stage, expected run time, memory and output, and notes on what is
+/// probably not meant. As text, or as JSON in SI units (inertial lengths in d_p). `folder`: where the run will write.
+std::string check_report(const Scene& scene, const Resources& resources, const std::filesystem::path& folder, bool json,
+                         const EngineFactory& factory);
 
 }  // namespace recoat

@@ -1,5 +1,6 @@
 #include "solver/output/energy_balance.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace recoat {
@@ -10,9 +11,15 @@ double motion_and_springs(const EnergyLedger& ledger) {
     return ledger.kinetic_translation + ledger.kinetic_rotation + ledger.elastic_normal + ledger.elastic_tangential;
 }
 
+double held_in(const EnergyLedger& ledger) {
+    return motion_and_springs(ledger) + std::abs(ledger.gravity) + std::abs(ledger.cohesion);
+}
+
 }  // namespace
 
-double EnergyBalance::relative_error() const { return scale > 0 ? error / scale : 0; }
+double EnergyBalance::scale() const { return std::max(exchanged, rounding * held); }
+
+double EnergyBalance::relative_error() const { return scale() > 0 ? error / scale() : 0; }
 
 EnergyBalance energy_balance(const EnergyLedger& start, const EnergyLedger& end) {
     EnergyBalance balance;
@@ -20,7 +27,7 @@ EnergyBalance energy_balance(const EnergyLedger& start, const EnergyLedger& end)
     balance.dissipated = end.dissipated() - start.dissipated();
     const double kept = end.stored() + end.removed_with_walls - start.stored() - start.removed_with_walls;
     balance.error = kept + balance.dissipated - balance.wall_work;
-    balance.scale = balance.wall_work != 0 ? std::abs(balance.wall_work) : std::abs(balance.dissipated);
+    balance.held = std::max(held_in(start), held_in(end));
     balance.exchanged = motion_and_springs(start) + motion_and_springs(end) + std::abs(balance.wall_work) +
                         std::abs(balance.dissipated) + std::abs(end.gravity - start.gravity) +
                         std::abs(end.cohesion - start.cohesion) +

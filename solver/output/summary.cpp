@@ -22,7 +22,8 @@ Json balance_json(const EnergyLedger& start, const EnergyLedger& end) {
             {"dissipated", balance.dissipated},
             {"balance_error", balance.error},
             {"balance_error_relative", balance.relative_error()},
-            {"balance_relative_to", balance.wall_work != 0 ? "wall_work" : "dissipated"}};
+            {"balance_relative_to", balance.exchanged >= balance.scale() ? "exchanged" : "held"},
+            {"balance_scale", balance.scale()}};
 }
 
 Json stage_json(const StageRecord& record, std::size_t particles) {
@@ -48,6 +49,7 @@ Json energy_json(const EnergyLedger& start, const EnergyLedger& end) {
     json["balance_error"] = balance["balance_error"];
     json["balance_error_relative"] = balance["balance_error_relative"];
     json["balance_relative_to"] = balance["balance_relative_to"];
+    json["balance_scale"] = balance["balance_scale"];
     return json;
 }
 

@@ -1,7 +1,5 @@
 #include "solver/output/trajectory.hpp"
 
-#include <string>
-
 #include "common/error.hpp"
 #include "common/fingerprint.hpp"
 #include "solver/output/folder_lock.hpp"
@@ -21,6 +19,16 @@ std::uint64_t Trajectory::add(std::size_t index, const StateInfo& info, const St
     std::filesystem::create_directories(frames_);
     write_state(frame(index), info, state);
     return fingerprint_of(frame(index));
+}
+
+std::vector<std::string> Trajectory::missing(std::size_t count) const {
+    std::vector<std::string> names;
+    if (std::filesystem::exists(file_)) return names;
+    for (std::size_t index = 0; index < count; ++index) {
+        if (!std::filesystem::exists(frame(index)))
+            names.push_back((frames_.filename() / frame(index).filename()).string());
+    }
+    return names;
 }
 
 State Trajectory::read(std::size_t index, std::uint64_t fingerprint) const {

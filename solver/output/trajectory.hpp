@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "common/state.hpp"
@@ -16,6 +17,8 @@ public:
 
     /// Writes frame number `index`, replacing one that an interrupted run left, and returns its fingerprint.
     [[nodiscard]] std::uint64_t add(std::size_t index, const StateInfo& info, const State& state) const;
+    /// Names of those of the first `count` frames that are neither there nor in the joined file.
+    [[nodiscard]] std::vector<std::string> missing(std::size_t count) const;
     /// Joins the frames with these fingerprints and removes their folder. Does nothing when that has been done; where
     /// it was interrupted while it removed them, it takes the frames that are gone from the file that it had made.
     /// Throws InputError when a frame is damaged.

@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "solver/scene/join_boxes.hpp"
 #include "solver/scene/read_stages.hpp"
 #include "solver/scene/read_time_step.hpp"
 
@@ -23,6 +24,7 @@ Wall read_plane(const Config& plane) {
     if (length == 0) plane.fail("normal", "the normal is zero; give a vector into the free side, e.g. [0, 0, 1]");
     wall.normal = (1 / length) * wall.normal;
     wall.velocity = plane.vector_or("velocity", Dimension::speed, {});
+    plane.finish();  // a misspelt key before what follows from its absence
     return wall;
 }
 
@@ -36,6 +38,7 @@ Wall read_box_wall(const Config& box) {
         box.fail("upper", "the box is empty; every component of upper must exceed that of lower");
     }
     wall.velocity = box.vector_or("velocity", Dimension::speed, {});
+    box.finish();
     return wall;
 }
 
@@ -84,7 +87,8 @@ void read_particle_scene(const Config& config, const std::filesystem::path& fold
         config.fail("", "the end of the run is not stated, or twice; give either duration or stages");
     }
     read_time_step(config, scene);
-    read_stages(config, 0, 0, scene);
+    read_stages(config, 0, scene);
+    scene.walls = join_boxes(std::move(scene.walls), scene.stages);
 }
 
 }  // namespace recoat

@@ -24,6 +24,7 @@ void read_material(Config& config, Scene& scene) {
     scene.model.density = material.quantity("density", Dimension::density, Range::positive());
     scene.model.youngs_modulus = material.quantity("young_modulus", Dimension::pressure, Range::positive());
     scene.model.poisson_ratio = material.number("poisson_ratio", {.lower = 0, .upper = 0.5});
+    material.finish();
     config.set_particle_diameter(scene.diameter);
 }
 
@@ -38,6 +39,7 @@ void read_contact(const Config& contact, ContactModel& model) {
     model.tangential_damping = read_option<TangentialDamping>(contact, "contact", "tangential_damping");
     model.cap_dashpot = read_switch(contact, "contact", "dashpot_cap");
     model.clip_normal = read_switch(contact, "contact", "normal_clip");
+    contact.finish();
 }
 
 void read_strength(const Config& cohesion, Scene& scene) {
@@ -62,15 +64,16 @@ void read_cohesion(const Config& cohesion, Scene& scene) {
     model.minimum_separation =
         cohesion.quantity_or("minimum_separation", Dimension::length, model.minimum_separation, Range::positive());
     model.cut_off = cohesion.quantity_or("cut_off", Dimension::length, model.cut_off, Range::positive());
+    model.scheme = read_option<CohesionScheme>(cohesion, "cohesion", "scheme");
+    model.non_contact = read_option<NonContactHamaker>(cohesion, "cohesion", "non_contact_hamaker");
+    read_strength(cohesion, scene);
+    cohesion.finish();
     if (model.cut_off <= model.minimum_separation) {
         cohesion.fail("cut_off", "the attraction ends before minimum_separation; give a longer cut_off, e.g. 100 nm");
     }
     if (model.cut_off > 0.1 * scene.diameter) {
         cohesion.fail("cut_off", "the attraction reaches further than 0.1 dp; give a shorter cut_off, e.g. 100 nm");
     }
-    model.scheme = read_option<CohesionScheme>(cohesion, "cohesion", "scheme");
-    model.non_contact = read_option<NonContactHamaker>(cohesion, "cohesion", "non_contact_hamaker");
-    read_strength(cohesion, scene);
 }
 
 void read_skins(const Config& lists, Scene& scene) {

@@ -9,16 +9,31 @@
 
 #include "common/error.hpp"
 #include "common/fingerprint.hpp"
-#include "common/number.hpp"
+#include "common/readable.hpp"
 #include "solver/scene/initial_particles.hpp"
 #include "solver/scene/particle_scene.hpp"
 #include "solver/scene/read_model.hpp"
+#include "solver/scene/scene_notes.hpp"
 #include "solver/scene/spread_scene.hpp"
 #include "solver/scene/time_step_limits.hpp"
 #include "solver/scene/whole_steps.hpp"
 
 namespace recoat {
 namespace {
+
+/// Every key that a scene of this kind may have at its top.
+void refuse_unknown_keys(const Config& config, const std::string& kind) {
+    constexpr std::array<std::string_view, 13> common = {
+        "precision", "scene",           "seed",       "time_step", "gravity",  "stages",    "material",
+        "contact",   "stiffness_ratio", "start_from", "output",    "cohesion", "pair_lists"};
+    constexpr std::array<std::string_view, 3> spread = {"powder", "box", "blade"};
+    constexpr std::array<std::string_view, 5> particles = {"particles", "walls", "duration", "y_period",
+                                                           "reference_speed"};
+    std::vector<std::string_view> keys(common.begin(), common.end());
+    if (kind == "spread") keys.insert(keys.end(), spread.begin(), spread.end());
+    if (kind == "particles") keys.insert(keys.end(), particles.begin(), particles.end());
+    config.allow_only(keys);
+}
 
 std::int64_t steps_or_none(const Config& section, std::string_view key, double fallback, double time_step) {
     const double interval = section.quantity_or(key, Dimension::time, fallback, Range::not_negative());
@@ -45,8 +60,8 @@ void refuse_unstable_step(const Config& config, const Scene& scene) {
     for (const StepLimit& limit : time_step_limits(scene)) {
         if (limit.stability && scene.time_step >= limit.limit) {
             config.fail("time_step", "the step is longer than the stability limit \"" + limit.name + "\" (" +
-                                         limit.formula + " = " + shortest(limit.limit) +
-                                         " s); choose a shorter step (recoat-solve check prints every limit)");
+                                         limit.formula + " = " + readable(limit.limit, "s") +
+                                         "); choose a shorter step (recoat-solve check prints every limit)");
         }
     }
 }
@@ -62,6 +77,7 @@ Scene read_scene(Config config, const std::filesystem::path& folder, std::option
     constexpr std::array<std::string_view, 2> kinds = {"spread", "particles"};
     Scene scene;
     scene.kind = config.choice("scene", kinds);
+    refuse_unknown_keys(config, scene.kind);
     read_model(config, scene);
     if (diameters) {
         scene.smallest_diameter = diameters->smallest;
@@ -89,6 +105,7 @@ Scene load_scene(const std::filesystem::path& file, std::span<const std::string>
     // Sizes that stand in another file are known only now; the step must do for the smallest.
     if (!std::holds_alternative<ColumnSource>(scene.source))
         scene = read_scene(Config::load(file, overrides), file.parent_path(), diameters_of(initial_particles(scene)));
+    scene.notes = scene_notes(scene);
     if (const auto* table = std::get_if<TableSource>(&scene.source)) scene.resolved += fingerprint(table->file);
     if (const auto* state = std::get_if<StateSource>(&scene.source)) scene.resolved += fingerprint(state->file);
     return scene;

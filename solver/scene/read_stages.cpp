@@ -4,7 +4,10 @@
 #include <array>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "solver/contact/material.hpp"
+#include "solver/scene/wall_course.hpp"
 #include "solver/scene/whole_steps.hpp"
 
 namespace recoat {
@@ -12,25 +15,25 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kinds = {"fill", "heap", "spread", "move", "remove", "settle", "run"};
 
-/// Turns the items of one list into stages; remembers where the blade is and which walls are gone.
+/// Turns the items of one list into stages; knows where the walls are before each.
 class StageReader {
 public:
-    StageReader(Scene& scene, double blade_height, double lift_speed)
-        : scene_(scene), blade_height_(blade_height), lift_speed_(lift_speed) {}
+    StageReader(Scene& scene, double lift_speed) : scene_(scene), lift_speed_(lift_speed), course_(scene) {}
 
     void add(const Config& item);
     void add_duration(const Config& config) {
         const double duration = config.quantity("duration", Dimension::time, Range::positive());
         scene_.stages.push_back({"run", "run", {Segment{{}, {}, steps(duration), {}}}});
-        refuse_endless(config, "duration");
+        refuse_impossible(config, "duration");
     }
 
 private:
     std::int64_t steps(double duration) const { return whole_steps(duration, scene_.time_step); }
-    void refuse_endless(const Config& item, std::string_view key) const;
+    void refuse_impossible(const Config& item, std::string_view key);
+    void refuse_obstacle(const Config& section) const;
     std::string kind_of(const Config& item) const;
     std::string name_of(const Config& section, const std::string& kind) const;
-    std::string wall_of(const Config& section);
+    std::string wall_of(const Config& section) const;
     Segment settle(const Config& section, double default_energy, double default_time) const;
     Segment travel(const std::string& wall, Vec3 direction, double distance, double speed) const;
     std::vector<Segment> segments(const std::string& kind, const Config& section);
@@ -40,15 +43,16 @@ private:
     std::vector<Segment> move(const Config& section);
 
     Scene& scene_;
-    double blade_height_, lift_speed_;
-    std::vector<std::string> removed_;
+    double lift_speed_;
+    WallCourse course_;
 };
 
 /// Looks at the last stage.
-void StageReader::refuse_endless(const Config& item, std::string_view key) const {
+void StageReader::refuse_impossible(const Config& item, std::string_view key) {
     for (const Segment& segment : scene_.stages.back().segments) {
         if (static_cast<double>(segment.steps) >= most_steps)
             item.fail(key, "this takes 1e15 time steps or more; give a shorter time, a higher speed or a longer step");
+        if (const std::string problem = course_.follow(segment); !problem.empty()) item.fail(key, problem);
     }
 }
 
@@ -78,11 +82,11 @@ std::string StageReader::name_of(const Config& section, const std::string& kind)
     return name;
 }
 
-std::string StageReader::wall_of(const Config& section) {
+std::string StageReader::wall_of(const Config& section) const {
     std::string name = section.text("wall");
     std::string known;
-    for (const Wall& wall : scene_.walls) {
-        if (std::ranges::find(removed_, wall.name) != removed_.end()) continue;
+    for (const Wall& wall : course_.walls()) {
+        if (!wall.active) continue;
         if (wall.name == name) return name;
         known += (known.empty() ? "" : ", ") + wall.name;
     }
@@ -117,23 +121,37 @@ std::vector<Segment> StageReader::fill(const Config& section) {
 
 std::vector<Segment> StageReader::heap(const Config& section) {
     Segment segment = settle(section, 1e-4, 0.5);
-    if (std::ranges::find(removed_, "gate") == removed_.end()) {
-        segment.removed = {"gate"};
-        removed_.push_back("gate");
-    }
+    if (course_.stands("gate")) segment.removed = {"gate"};
     return {segment};
+}
+
+/// What stands in the way of a blade that is about to spread.
+void StageReader::refuse_obstacle(const Config& section) const {
+    if (!course_.stands("blade")) section.fail("", "the blade was taken away by a stage before; leave it there");
+    if (course_.stands("gate"))
+        section.fail("",
+                     "the gate stands in the way of the blade; take it away by a stage before this one, - heap or "
+                     "- remove: {wall: gate}");
+    const double clearance = scene_.spread->clearance, height = course_.wall("blade").lower.z;
+    if (height > clearance * (1 + 1e-9))
+        section.fail("",
+                     fmt::format("the blade stands {:.4g} dp above the base, higher than blade.clearance ({:.4g} "
+                                 "dp), and would not come down; lower it by a stage before, or give blade.clearance "
+                                 "that height",
+                                 height / scene_.diameter, clearance / scene_.diameter));
 }
 
 std::vector<Segment> StageReader::spread(const Config& section) {
     SpreadGeometry& geometry = *scene_.spread;
     const double length = section.quantity_or("length", Dimension::length, 500 * scene_.diameter, Range::positive());
+    const Segment rest = settle(section, 1e-4, 0.5);
+    section.finish();  // a misspelt key first
+    refuse_obstacle(section);
     std::vector<Segment> result;
-    if (blade_height_ < geometry.clearance) {
-        result.push_back(travel("blade", {0, 0, 1}, geometry.clearance - blade_height_, lift_speed_));
-        blade_height_ = geometry.clearance;
-    }
+    const double lift = geometry.clearance - course_.wall("blade").lower.z;
+    if (lift > 1e-9 * geometry.clearance) result.push_back(travel("blade", {0, 0, 1}, lift, lift_speed_));
     result.push_back(travel("blade", {1, 0, 0}, length, geometry.blade_speed));
-    result.push_back(settle(section, 1e-4, 0.5));
+    result.push_back(rest);
     geometry.length += length;
     return result;
 }
@@ -142,7 +160,6 @@ std::vector<Segment> StageReader::move(const Config& section) {
     const std::string wall = wall_of(section);
     const Vec3 velocity = section.vector("velocity", Dimension::speed);
     const double duration = section.quantity("duration", Dimension::time, Range::positive());
-    if (wall == "blade") blade_height_ += velocity.z * duration;
     return {Segment{{}, {{wall, velocity}}, steps(duration), {}}};
 }
 
@@ -157,9 +174,7 @@ std::vector<Segment> StageReader::segments(const std::string& kind, const Config
     if (kind == "settle") return {settle(section, 1e-6, 0.1)};
     if (kind == "run")
         return {Segment{{}, {}, steps(section.quantity("duration", Dimension::time, Range::positive())), {}}};
-    const std::string wall = wall_of(section);
-    removed_.push_back(wall);
-    return {Segment{{wall}, {}, 0, {}}};
+    return {Segment{{wall_of(section)}, {}, 0, {}}};
 }
 
 void StageReader::add(const Config& item) {
@@ -167,13 +182,14 @@ void StageReader::add(const Config& item) {
     const Config section = item.section(kind);
     const std::string name = name_of(section, kind);
     scene_.stages.push_back({kind, name, segments(kind, section)});
-    refuse_endless(item, kind);
+    section.finish();  // a misspelt key before what follows from its absence
+    refuse_impossible(item, kind);
 }
 
 }  // namespace
 
-void read_stages(const Config& config, double blade_height, double lift_speed, Scene& scene) {
-    StageReader reader(scene, blade_height, lift_speed);
+void read_stages(const Config& config, double lift_speed, Scene& scene) {
+    StageReader reader(scene, lift_speed);
     if (!scene.spread && config.has("duration")) {
         reader.add_duration(config);
         return;

@@ -9,8 +9,8 @@ namespace recoat {
 ///
 /// Every stage lasts a whole number of steps; where a wall has a distance to go, its speed is adjusted within half a
 /// step so that it arrives exactly. Needs walls, model, time step and (for spread) geometry of `scene`; adds the
-/// spreading length. `blade_height` [m] is the clearance before the first stage, `lift_speed` [m/s] that of lifting the
-/// blade. Throws InputError.
-void read_stages(const Config& config, double blade_height, double lift_speed, Scene& scene);
+/// spreading length. `lift_speed` [m/s] is that of lifting the blade. Throws InputError, also for what cannot work:
+/// walls that would run into each other, leave the domain or stand in the way of the blade.
+void read_stages(const Config& config, double lift_speed, Scene& scene);
 
 }  // namespace recoat

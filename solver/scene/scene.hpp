@@ -77,7 +77,8 @@ struct Scene {
     std::optional<SpreadGeometry> spread;
     double reference_speed = 0.05;  ///< for the time-step limits [m/s]
     OutputPlan output;
-    std::string resolved;  ///< the configuration with all defaults, as YAML
+    std::string resolved;            ///< the configuration with all defaults, as YAML
+    std::vector<std::string> notes;  ///< what can be run but is probably not meant, a sentence each
 };
 
 /// The engine's set-up for `scene`.

@@ -28,6 +28,7 @@ Box read_box(const Config& box, double diameter, double largest) {
     result.width = box.quantity_or("width", Dimension::length, 40 * diameter, Range::positive());
     result.fill_length = box.quantity_or("fill_length", Dimension::length, 40 * diameter, Range::positive());
     result.behind_blade = box.quantity_or("behind_blade", Dimension::length, 5 * diameter, Range::not_negative());
+    box.finish();  // a misspelt key before what follows from its absence
     const auto least = [&](double diameters) {
         return "give " + shortest(diameters * largest / diameter) + " dp or more";
     };
@@ -44,6 +45,7 @@ Blade read_blade(const Config& blade, double diameter) {
     result.lift_speed = blade.quantity_or("lift_speed", Dimension::speed, result.speed, Range::positive());
     result.position = blade.quantity_or("position", Dimension::length, 0);
     result.height = blade.quantity_or("height", Dimension::length, 0, Range::not_negative());
+    blade.finish();
     return result;
 }
 
@@ -79,6 +81,7 @@ std::optional<SizeDistribution> read_powder_sizes(const Config& powder, Scene& s
     if (!powder.has("sizes")) return {};
     const Config section = powder.section("sizes");
     SizeDistribution sizes = read_sizes(section);
+    section.finish();
     scene.smallest_diameter = sizes.smallest();
     scene.largest_diameter = sizes.largest();
     if (scene.model.hamaker > 0 && scene.model.cut_off > 0.1 * sizes.smallest())
@@ -104,18 +107,15 @@ ParticleSource read_source(const Config& config, const std::filesystem::path& fo
 }
 
 void check_room(const Config& config, const Box& box, const Blade& blade, const Scene& scene) {
-    const double front = blade.position + blade.thickness + scene.spread->length;
-    if (blade.position - box.behind_blade > blade.position) config.fail("box", "behind_blade is negative");
     const double end = box.length - box.behind_blade;
-    if (front > end) {
-        config.fail("box",
-                    "the blade would run into the front end wall: blade thickness and spreading length together are " +
-                        shortest(front / scene.diameter) + " dp, the box ends at " + shortest(end / scene.diameter) +
-                        " dp; give a longer box.length or a shorter spread");
-    }
-    if (blade.position + blade.thickness + box.fill_length > end) {
+    if (blade.position < -box.behind_blade)
+        config.section("blade").fail("position",
+                                     "the blade stands behind the rear end wall; give a longer box.behind_blade");
+    if (blade.position + blade.thickness > end)
+        config.fail("box", "the blade stands in or beyond the front end wall; give a longer box.length");
+    const bool with_gate = std::ranges::find(scene.walls, "gate", &Wall::name) != scene.walls.end();
+    if (with_gate && blade.position + blade.thickness + box.fill_length > end)
         config.fail("box", "the gate lies beyond the front end wall; give a longer box.length");
-    }
 }
 
 }  // namespace
@@ -143,8 +143,8 @@ void read_spread_scene(const Config& config, const std::filesystem::path& folder
     }
     scene.spread = SpreadGeometry{blade.clearance, blade.position, 0, box.fill_length, blade.speed};
     read_time_step(config, scene);
-    read_stages(config, blade.height, blade.lift_speed, scene);
     check_room(config, box, blade, scene);
+    read_stages(config, blade.lift_speed, scene);
 }
 
 }  // namespace recoat

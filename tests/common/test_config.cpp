@@ -185,6 +185,13 @@ TEST(Config, FailNamesTheKey) {
         "scene.yaml:3: b.c: it is odd; take an even one");
 }
 
+TEST(Config, OnlyTheKeysAllowedAreAllowed) {
+    constexpr std::string_view keys[] = {"length", "width"};
+    EXPECT_NO_THROW(Config::parse("width: 1\n", "scene.yaml").allow_only(keys));
+    EXPECT_EQ(refusal("width: 1\nlenght: 2\n", [&](const Config& c) { c.allow_only(keys); }),
+              "scene.yaml:2: lenght: the key is unknown; did you mean \"length\"?");
+}
+
 TEST(Config, FileThatCannotBeReadIsNamed) {
     const testing::TemporaryFolder folder;
     for (const auto& file : {folder / "absent.yaml", folder.path()}) {

@@ -4,7 +4,7 @@ import pandas
 
 from reporting import describe, logged, read_json, write_text
 
-MACHINE = ["expected"]  # measured where the workflow runs, not derived from the scene
+MACHINE = ["expected", "notes"]  # what belongs to the machine where the workflow runs, and sentences: no numbers
 
 
 def named(number, item):

@@ -1,8 +1,11 @@
+#include <fstream>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/error.hpp"
 #include "common/output_file.hpp"
+#include "common/state.hpp"
 #include "solver/run.hpp"
 #include "tests/support/fake_engine.hpp"
 #include "tests/support/scene_text.hpp"
@@ -48,6 +51,57 @@ TEST_F(RunFolder, AFinishedRunThatLacksAFileIsRunAgain) {
     EXPECT_TRUE(fs::exists(folder_ / "a/heap.vtkhdf"));
 }
 
+std::string bytes(const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+// The checkpoint is of the end of the last stage.
+TEST_F(RunFolder, TheLastStateIsMadeAgainFromTheCheckpoint) {
+    run();
+    const State state = read_state(folder_ / "a/spread.vtkhdf");
+    const std::string energy = bytes(folder_ / "a/energy.csv");
+    for (const bool resumed : {true, false}) {
+        fs::remove(folder_ / "a/spread.vtkhdf");
+        fs::remove(folder_ / "a/energy.csv");
+        EXPECT_EQ(resumed ? resume() : run(), 0);
+        EXPECT_EQ(script_.made, 1);
+        EXPECT_EQ(read_state(folder_ / "a/spread.vtkhdf").position, state.position);
+        EXPECT_EQ(read_state(folder_ / "a/spread.vtkhdf").step, state.step);
+        EXPECT_EQ(bytes(folder_ / "a/energy.csv"), energy);
+    }
+}
+
+TEST_F(RunFolder, WhatCannotBeMadeAgainIsSaid) {
+    run("output.trajectory_interval=10 ms");
+    fs::remove(folder_ / "a/heap.vtkhdf");
+    EXPECT_THAT(testing::message_of<InputError>([&] { resume(); }), HasSubstr("heap.vtkhdf is gone"));
+    run("output.trajectory_interval=10 ms");
+    fs::remove(folder_ / "a/trajectory.vtkhdf");
+    EXPECT_THAT(testing::message_of<InputError>([&] { resume(); }),
+                HasSubstr("trajectory.frames/000000.vtkhdf and 5 more are gone"));
+}
+
+// Whoever moved the state of an early stage away can still continue; the trajectory could not be joined in the end.
+TEST_F(RunFolder, AnUnfinishedRunGoesOnWithoutAnEarlyStateButNotWithoutItsTrajectory) {
+    run("output.trajectory_interval=10 ms", 40000);
+    fs::remove(folder_ / "a/fill.vtkhdf");
+    EXPECT_EQ(resume(), 0);
+    EXPECT_TRUE(fs::exists(folder_ / "a/spread.vtkhdf"));
+    run("output.trajectory_interval=10 ms", 40000);
+    fs::remove(folder_ / "a/trajectory.frames/000001.vtkhdf");
+    EXPECT_THAT(testing::message_of<InputError>([&] { resume(); }),
+                HasSubstr("trajectory.frames/000001.vtkhdf is gone"));
+}
+
+TEST_F(RunFolder, AFinishedRunNeedsNoCheckpoint) {
+    run();
+    fs::remove(folder_ / "a/checkpoint.h5");
+    fs::remove(folder_ / "a/checkpoint-previous.h5");
+    EXPECT_EQ(resume(), 0);
+    EXPECT_EQ(script_.restored, 0);
+}
+
 TEST_F(RunFolder, AnUnfinishedRunIsContinued) {
     run("seed=1", 20000);
     EXPECT_EQ(run(), 0);
@@ -57,7 +111,8 @@ TEST_F(RunFolder, AnUnfinishedRunIsContinued) {
 
 TEST_F(RunFolder, AnotherConfigurationIsRefusedUnlessOverwritten) {
     run();
-    EXPECT_THAT(testing::message_of<InputError>([&] { run("seed=2"); }), HasSubstr("another configuration"));
+    EXPECT_THAT(testing::message_of<InputError>([&] { run("seed=2"); }),
+                HasSubstr("another configuration (seed is 1 there and 2 here)"));
     EXPECT_EQ(run("seed=2", {}, true), 0);
     EXPECT_EQ(script_.made, 2);
 }

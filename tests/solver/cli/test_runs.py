@@ -198,6 +198,34 @@ def test_a_fault_leaves_the_moment_before(solver):
     assert not (solver.folder / "out/summary.json").exists()
 
 
+def test_a_sphere_rolls_over_the_seam_of_two_boxes_as_over_a_plane(solver, model):
+    scene = f"scene: particles\n{model}particles: table.csv\ntime_step: 2e-8 s\ncohesion: {{bond_number: 50}}\nduration: 1.2 ms\nwalls:\n"
+    scene = scene.replace("time_step: 1e-7 s\n", "")
+    solver.write("table.csv", "x,y,z,radius,vx,vy,vz,wx,wy,wz\n-40e-6,0,25e-6,25e-6,0.05,0,0,0,2000,0\n")
+    solver.write("plane.yaml", scene + "  - plane: {name: floor, normal: [0, 0, 1]}\n")
+    solver.write(
+        "seam.yaml",
+        scene
+        + "  - box: {name: left, lower: [-inf, -inf, -100 um], upper: [0 um, inf, 0 um]}\n"
+        + "  - box: {name: right, lower: [0 um, -inf, -100 um], upper: [inf, inf, 0 um]}\n",
+    )
+    speed = {}
+    for floor in ("plane", "seam"):
+        solver.good("run", f"{floor}.yaml", "--out", floor, "--quiet", "--threads", 1)
+        with h5py.File(solver.folder / floor / "run.vtkhdf") as file:
+            speed[floor] = file["VTKHDF/PointData/Velocity"][0, 0]
+    assert speed["plane"] == pytest.approx(0.041508, abs=1e-6)
+    assert speed["seam"] == pytest.approx(speed["plane"], rel=1e-9)
+
+
+def test_a_stage_in_which_nothing_happens_balances(solver):
+    settings = ("--set", "cohesion.bond_number=400", "--set", "stages.fill.settle_energy=1e-4", "--set", "stages.fill.settle_time=20 ms")
+    solver.write("spread.yaml", (solver.folder / "spread.yaml").read_text().split("  - heap")[0] + "  - run: {duration: 5 ms}\n")
+    solver.good("run", "spread.yaml", "--out", "out", "--quiet", "--threads", 1, *settings)
+    rest = solver.summary("out")["stages"][1]["energy"]
+    assert abs(rest["balance_error_relative"]) < 1e-6, rest
+
+
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_stops_with_a_checkpoint_and_the_run_continues(solver, number):
     command = [solver.program, "run", "spread.yaml", "--out", "out", "--threads", "1",

@@ -67,7 +67,9 @@ TEST_F(SummaryFile, SaysWhatWasRun) {
     EXPECT_EQ(stage["particle_steps_per_second"], 200.0);
     EXPECT_EQ(stage["packing_density"], 0.5);
     EXPECT_EQ(stage["energy"]["balance_error"], -1.0);
-    EXPECT_EQ(stage["energy"]["balance_error_relative"], -0.25);
+    EXPECT_DOUBLE_EQ(stage["energy"]["balance_error_relative"].get<double>(), -1.0 / 7);
+    EXPECT_EQ(stage["energy"]["balance_relative_to"], "exchanged");
+    EXPECT_EQ(stage["energy"]["balance_scale"], 7.0);
     EXPECT_TRUE(json["energy"].contains("elastic_tangential") && json["energy"].contains("balance_error_relative"));
 }
 

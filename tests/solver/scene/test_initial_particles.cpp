@@ -1,8 +1,11 @@
+#include <limits>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "common/error.hpp"
 #include "common/output_file.hpp"
+#include "common/state.hpp"
 #include "solver/scene/initial_particles.hpp"
 #include "solver/scene/read_scene.hpp"
 #include "tests/support/scene_text.hpp"
@@ -58,6 +61,45 @@ TEST_F(InitialParticles, TheTimeStepMustDoForTheSmallest) {
     const std::string rows = "0,0,0,25e-6,0,0,0,0,0,0\n1,0,0,2.5e-6,0,0,0,0,0,0\n";
     EXPECT_THAT(testing::message_of<InputError>([&] { load(rows, step); }), HasSubstr("stability limit"));
     EXPECT_EQ(load(rows).smallest_diameter, 5e-6);
+}
+
+class StateWithoutVelocities : public ::testing::Test {
+protected:
+    Scene load(const std::vector<Vec3>& velocity) {
+        State state;
+        state.id = {0, 1};
+        state.position = {{0, 0, 0}, {1e-3, 0, 0}};
+        state.radius = {25e-6, 25e-6};
+        state.velocity = velocity;
+        state.angular_velocity.assign(2, {unknown, unknown, unknown});
+        write_state(folder_ / "state.vtkhdf", {}, state);
+        write_text_file(folder_ / "scene.yaml",
+                        "scene: particles\nstart_from: state.vtkhdf\nduration: 1 ms\n"
+                        "stiffness_ratio: 0.001\n" +
+                            testing::model_text);
+        return load_scene(folder_ / "scene.yaml");
+    }
+    static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    testing::TemporaryFolder folder_;
+};
+
+TEST_F(StateWithoutVelocities, StartsAtRest) {
+    const Scene scene = load({2, {unknown, unknown, unknown}});
+    const ParticleTable particles = initial_particles(scene);
+    EXPECT_EQ(particles.velocity, std::vector<Vec3>(2));
+    EXPECT_EQ(particles.angular_velocity, std::vector<Vec3>(2));
+}
+
+TEST_F(StateWithoutVelocities, KeepsThoseThatItHas) {
+    const Scene scene = load({{1, 0, 0}, {0, 2, 0}});
+    EXPECT_EQ(initial_particles(scene).velocity.at(1), (Vec3{0, 2, 0}));
+}
+
+TEST_F(StateWithoutVelocities, IsRefusedWhereOnlySomeAreMissing) {
+    EXPECT_THAT(testing::message_of<InputError>([&] {
+                    load({{1, 0, 0}, {0, unknown, 0}});
+                }),
+                HasSubstr("particle 1 has a velocity or angular velocity that is not finite"));
 }
 
 }  // namespace

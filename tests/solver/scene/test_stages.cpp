@@ -123,6 +123,9 @@ TEST(Stages, RefusesWhatCannotBe) {
     EXPECT_THAT(refusal("  - fill: {name: a b}\n"), HasSubstr("letters, digits"));
     EXPECT_THAT(refusal("  - fill: {name: x}\n  - heap: {name: x}\n"), HasSubstr("taken"));
     EXPECT_THAT(refusal("  - fill: {settle_tim: 1 ms}\n"), HasSubstr("settle_time"));
+    EXPECT_THAT(refusal("  - fill\n  - heap\n  - spread: {lenght: 30 dp}\n"), HasSubstr("did you mean \"length\"?"));
+    EXPECT_THAT(refusal("  - fill\n  - heap\n  - spread: {length: 30 dp, settel_time: 1 ms}\n"),
+                HasSubstr("did you mean \"settle_time\"?"));
     EXPECT_THAT(message_of<InputError>([] { scene_of(with_stages("  []\n")); }), HasSubstr("empty"));
 }
 
