@@ -18,6 +18,7 @@ struct Unit {
     Dimension dimension;
     double factor;       ///< value of one unit in SI is factor / divisor;
     double divisor = 1;  ///< a power of ten that a double holds exactly, so that 50 um is the double 5e-5
+    bool listed = true;  ///< in sentences
 };
 
 constexpr double pi = std::numbers::pi;
@@ -28,8 +29,8 @@ constexpr Unit units[] = {
     {"cm", Dimension::length, 1, 1e2},
     {"mm", Dimension::length, 1, 1e3},
     {"um", Dimension::length, 1, 1e6},
-    {"µm", Dimension::length, 1, 1e6},  // U+00B5 micro sign
-    {"μm", Dimension::length, 1, 1e6},  // U+03BC Greek mu
+    {"micron", Dimension::length, 1, 1e6, false},
+    {"microns", Dimension::length, 1, 1e6, false},
     {"nm", Dimension::length, 1, 1e9},
     {"s", Dimension::time, 1},
     {"min", Dimension::time, 60},
@@ -75,11 +76,20 @@ constexpr std::string_view diameter_symbol = "dp";
 std::string unit_list(Dimension dimension, bool with_diameter) {
     std::string list;
     for (const Unit& unit : units) {
-        if (unit.dimension != dimension || static_cast<unsigned char>(unit.symbol[0]) > 127) continue;
+        if (unit.dimension != dimension || !unit.listed) continue;
         list += (list.empty() ? "" : ", ");
         list += unit.symbol;
     }
     return with_diameter ? list + ", dp" : list;
+}
+
+/// The symbol with "u" for the micro sign that it may begin with: U+00B5, or the Greek letter U+03BC.
+std::string without_micro_sign(std::string_view symbol) {
+    std::string result(symbol);
+    for (const std::string_view micro : {"\u00B5", "\u03BC"}) {
+        if (symbol.starts_with(micro)) result.replace(0, micro.size(), 1, 'u');
+    }
+    return result;
 }
 
 /// Splits "50 um" into the longest leading number and the rest.
@@ -90,7 +100,8 @@ std::size_t number_length(std::string_view text) {
     return 0;
 }
 
-double in_si(double number, std::string_view symbol, Dimension dimension, std::optional<double> particle_diameter) {
+double in_si(double number, std::string_view written, Dimension dimension, std::optional<double> particle_diameter) {
+    const std::string symbol = without_micro_sign(written);
     const bool is_length = dimension == Dimension::length;
     if (is_length && symbol == diameter_symbol) {
         if (particle_diameter) return number * *particle_diameter;

@@ -7,10 +7,8 @@ namespace recoat {
 /// Whether the file is text.
 bool is_csv(const Content& content);
 
-/// Reads a table: the first line names the columns, in any order; those of the centre and of the radius or diameter are
-/// taken, the identities too, and others passed over. A name may carry a unit of length, "x [um]", "radius (mm)"; then
-/// those without are in metres. Separators are commas, semicolons, bars or white space. Empty lines count for
-/// nothing.
+/// Reads a table by the rules of read_csv_table(); where no length has a unit, all are in that of the options, or in
+/// metres.
 Series open_csv(const Content& content, const ReadOptions& options);
 
 inline constexpr Reader csv_reader = {

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/columns.hpp"
-#include "analyzer/readers/text_cursor.hpp"
 #include "analyzer/readers/xyz_comment.hpp"
 #include "common/number.hpp"
+#include "common/tables/columns.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

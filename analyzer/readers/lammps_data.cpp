@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 
 #include "analyzer/readers/lammps_velocities.hpp"
-#include "analyzer/readers/text_cursor.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

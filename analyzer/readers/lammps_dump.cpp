@@ -4,9 +4,9 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/columns.hpp"
 #include "analyzer/readers/lammps_snapshot.hpp"
 #include "common/error.hpp"
+#include "common/tables/columns.hpp"
 
 namespace recoat {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analyzer/readers/source.hpp"
-#include "analyzer/readers/text_cursor.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "analyzer/readers/source.hpp"
-#include "analyzer/readers/text_cursor.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 

@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "analyzer/readers/legacy_vtk_scanner.hpp"
-#include "analyzer/readers/text_cursor.hpp"
 #include "analyzer/readers/vtk_points.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

@@ -4,10 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/text_cursor.hpp"
 #include "analyzer/readers/vtk_types.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

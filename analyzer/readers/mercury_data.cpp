@@ -4,8 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/text_cursor.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 
 #include "analyzer/readers/reader.hpp"
-#include "analyzer/readers/text_cursor.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "common/tables/columns.hpp"
 #include "common/vec3.hpp"
 
 namespace recoat {
@@ -65,11 +66,6 @@ struct Source {
     SourceInfo info;
     std::vector<std::pair<std::string, std::string>> facts;  ///< further things the file says: name and value
     std::vector<std::string> warnings;  ///< whole sentences: what the user should know although the file was read
-};
-
-/// Names of columns chosen by the user; an empty one stands for the usual names.
-struct ColumnNames {
-    std::string x, y, z, radius, diameter, type;
 };
 
 /// Which of several instants in a file is read.

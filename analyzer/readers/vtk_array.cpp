@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include "analyzer/readers/binary_blocks.hpp"
-#include "analyzer/readers/text_cursor.hpp"
 #include "analyzer/readers/vtk_types.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

@@ -7,11 +7,10 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/columns.hpp"
-#include "analyzer/readers/particle_types.hpp"
-#include "analyzer/readers/text_cursor.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/tables/columns.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

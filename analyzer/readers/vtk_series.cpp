@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "analyzer/readers/named_files.hpp"
-#include "analyzer/readers/text_cursor.hpp"
 #include "analyzer/readers/xml_tree.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/text_cursor.hpp"
 #include "analyzer/readers/vtk_array.hpp"
 #include "analyzer/readers/vtk_points.hpp"
 #include "analyzer/readers/xml_tree.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

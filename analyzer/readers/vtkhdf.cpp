@@ -6,11 +6,11 @@
 
 #include <fmt/format.h>
 
-#include "analyzer/readers/text_cursor.hpp"
 #include "analyzer/readers/vtk_points.hpp"
 #include "common/error.hpp"
 #include "common/hdf5.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {

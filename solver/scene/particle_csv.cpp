@@ -1,96 +1,68 @@
 #include "solver/scene/particle_csv.hpp"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
+#include <utility>
+
+#include <fmt/format.h>
 
 #include "common/error.hpp"
-#include "common/number.hpp"
+#include "common/tables/csv_table.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {
 
-constexpr std::array<std::string_view, 10> columns = {"x", "y", "z", "radius", "vx", "vy", "vz", "wx", "wy", "wz"};
-constexpr std::string_view header = "x,y,z,radius,vx,vy,vz,wx,wy,wz";
-
-class CsvReader {
-public:
-    explicit CsvReader(const std::filesystem::path& file) : file_(file), stream_(file) {
-        if (!stream_) throw InputError(file.string() + ": the table of particles cannot be opened; check the path");
+std::string text_of(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    if (!stream || std::filesystem::is_directory(file)) {
+        throw InputError(file.string() + ": the table of particles cannot be opened; check the path");
     }
+    return {std::istreambuf_iterator<char>(stream), {}};
+}
 
-    ParticleTable read() {
-        std::string line;
-        if (!next(line) || header_of(line) != header) {
-            fail("the header is missing; the first line must be " + std::string(header));
-        }
-        while (next(line)) add_row(line);
-        if (table_.size() == 0) fail("the table has no particles; add a line for each");
-        return std::move(table_);
+[[noreturn]] void fail(const std::filesystem::path& file, std::size_t line, const std::string& sentence) {
+    throw InputError(fmt::format("{}:{}: {}", file.string(), line, sentence));
+}
+
+bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Velocities of the table, all finite, or zeros where it has none.
+std::vector<Vec3> velocities(std::vector<Vec3> given, const CsvTable& table, const std::filesystem::path& file,
+                             std::string_view what) {
+    const auto unknown = std::ranges::find_if_not(given, is_finite);
+    if (unknown != given.end()) {
+        fail(file, table.line[static_cast<std::size_t>(unknown - given.begin())],
+             fmt::format("the {} is ({}, {}, {}), but it must be finite; correct it", what, unknown->x, unknown->y,
+                         unknown->z));
     }
-
-private:
-    [[noreturn]] void fail(const std::string& sentence) const {
-        throw InputError(file_.string() + ":" + std::to_string(line_) + ": " + sentence);
-    }
-
-    /// The next line that is neither empty nor a comment.
-    bool next(std::string& line) {
-        while (std::getline(stream_, line)) {
-            ++line_;
-            const std::string_view text = trimmed(line);
-            if (!text.empty() && text.front() != '#') return true;
-        }
-        return false;
-    }
-
-    static std::string header_of(std::string_view line) {
-        std::string result;
-        for (char c : line) {
-            if (c != ' ' && c != '\r' && c != '\t') result += c;
-        }
-        return result;
-    }
-
-    void add_row(std::string_view line) {
-        std::array<double, columns.size()> row{};
-        std::size_t count = 0;
-        for (std::string_view rest = line; count <= columns.size(); ++count) {
-            const std::size_t comma = rest.find(',');
-            if (count < columns.size()) row[count] = value(trimmed(rest.substr(0, comma)), columns[count]);
-            if (comma == std::string_view::npos) break;
-            rest.remove_prefix(comma + 1);
-        }
-        if (count + 1 != columns.size()) {
-            fail("the line has " + std::string(count + 1 < columns.size() ? "fewer" : "more") +
-                 " than 10 values; give " + std::string(header));
-        }
-        if (row[3] <= 0) fail("radius: a particle needs a positive radius in metres");
-        table_.position.push_back({row[0], row[1], row[2]});
-        table_.radius.push_back(row[3]);
-        table_.velocity.push_back({row[4], row[5], row[6]});
-        table_.angular_velocity.push_back({row[7], row[8], row[9]});
-    }
-
-    double value(std::string_view text, std::string_view column) const {
-        const std::optional<double> number = parse_number(text);
-        if (!number || !std::isfinite(*number)) {
-            fail(std::string(column) + ": \"" + std::string(text) +
-                 "\" is not a finite number; give SI values without units");
-        }
-        return *number;
-    }
-
-    std::filesystem::path file_;
-    std::ifstream stream_;
-    std::int64_t line_ = 0;
-    ParticleTable table_;
-};
+    given.resize(table.position.size());
+    return given;
+}
 
 }  // namespace
 
-ParticleTable read_particle_csv(const std::filesystem::path& file) { return CsvReader(file).read(); }
+ParticleTable read_particle_csv(const std::filesystem::path& file) {
+    const std::string text = text_of(file);
+    CsvTable table = read_csv_table(file.string(), text, {.whole_velocities = true});
+    if (table.position.empty()) {
+        throw InputError(file.string() + ": the table has no particles; add a line for each");
+    }
+    if (!table.unused.empty()) {
+        table.warnings.push_back(fmt::format("{}: columns that a table of particles does not need are passed over: {}",
+                                             file.string(), quotable_list(table.unused)));
+    }
+    for (const std::string& sentence : table.warnings) warn("recoat-solve", sentence);
+    ParticleTable particles;
+    particles.velocity = velocities(std::move(table.velocity), table, file, "velocity");
+    particles.angular_velocity = velocities(std::move(table.angular_velocity), table, file, "angular velocity");
+    particles.position = std::move(table.position);
+    particles.radius = std::move(table.radius);
+    return particles;
+}
 
 }  // namespace recoat

@@ -78,13 +78,20 @@ TEST_F(Csv, UsualNamesOfOtherPrograms) {
 
 TEST_F(Csv, UnitsInTheHeader) {
     for (const std::string text :
-         {"x [um],y (mm),z,diameter[nm]\n1,2,3,4\n", "x [um] y (mm) z diameter [nm]\n1 2 3 4\n"}) {
+         {"x [um],y (mm),z [m],diameter[nm]\n1,2,3,4\n", "x [um] y (mm) z (m) diameter [nm]\n1 2 3 4\n"}) {
         const Source source = read(text);
         EXPECT_NEAR(source.position[0].x, 1e-6, 1e-20) << text;
         EXPECT_NEAR(source.position[0].y, 2e-3, 1e-17) << text;
         EXPECT_EQ(source.position[0].z, 3) << text;
         EXPECT_NEAR(source.radius[0], 2e-9, 1e-23) << text;
     }
+}
+
+TEST_F(Csv, ALastLineWithoutEndIsReadWithAWarning) {
+    const Source source = read("x,y,z,radius\n1,2,3,0.5");
+    EXPECT_EQ(source.position.size(), 1U);
+    ASSERT_EQ(source.warnings.size(), 1U);
+    EXPECT_NE(source.warnings[0].find(":2: the last line has no line end"), std::string::npos);
 }
 
 TEST_F(Csv, Identities) {
@@ -118,15 +125,19 @@ TEST_F(Csv, ErrorsNameLineAndColumn) {
 }
 
 TEST_F(Csv, ErrorsOfTheFirstLine) {
-    EXPECT_EQ(error("x,y,x,radius\n1,2,3,4\n"),
+    EXPECT_EQ(error("x,y,z,x,radius\n1,2,3,4,5\n"),
               "table.csv:1: the column \"x\" is named twice; give every column its own name");
-    EXPECT_EQ(error("x,y,radius\n"),
-              "table.csv:1: there is no column \"z\"; the first line must name it, or the configuration another one "
-              "under columns.z");
-    EXPECT_TRUE(begins(error("x,y,z\n1,2,3\n"), "table.csv:1: there is no column \"radius\" or \"diameter\"; the f"));
-    EXPECT_TRUE(begins(error("1,2,3,0.5\n4,5,6,0.5\n"), "table.csv:1: there is no column \"x\"; the "));
+    EXPECT_EQ(
+        error("x,y,radius\n"),
+        "table.csv:1: there is no column \"z\" among those of the file (x, y, radius); name it in the first line, "
+        "or choose the column: --set columns.x=NAME, --radius-column NAME, --diameter-column NAME; or give one "
+        "--radius for all");
+    EXPECT_TRUE(
+        begins(error("x,y,z\n1,2,3\n"),
+               "table.csv:1: there is no column \"radius\" or \"diameter\" among those of the file (x, y, z); "));
+    EXPECT_TRUE(begins(error("1,2,3,0.5\n4,5,6,0.5\n"), "table.csv:1: the rows begin here, but no line names the "));
     EXPECT_TRUE(begins(error("x,y,z,r\n", {.x = "east", .y = {}, .z = {}, .radius = {}, .diameter = {}, .type = {}}),
-                       "table.csv:1: there is no column \"east\"; "));
+                       "table.csv:1: there is no column \"east\" among those of the file (x, y, z, r); "));
 }
 
 TEST_F(Csv, FilesThatAreNoTables) {

@@ -31,10 +31,11 @@ TEST_F(Velocities, OfTables) {
         "\"Points:0\" \"Points:1\" \"Points:2\" r \"Velocity:0\" \"Velocity:1\" \"Velocity:2\"\n"
         "1 2 3 1 4 5 6\n");
     EXPECT_EQ(paraview.velocity, (std::vector<Vec3>{{4, 5, 6}}));
-    expect_near(read("x [mm],y,z,r,vx [mm/s],vy [m/s],vz\n1,2,3,1,4,5,6\n").velocity, {4e-3, 5, 6});
+    expect_near(read("x [mm],y [m],z [m],r [m],vx [mm/s],vy [m/s],vz\n1,2,3,1,4,5,6\n").velocity, {4e-3, 5, 6});
     // Two of three are none.
     EXPECT_TRUE(read("x,y,z,r,vx,vy\n1,2,3,1,4,5\n").velocity.empty());
-    EXPECT_TRUE(begins(error("x [m/s],y,z,r\n1,2,3,1\n"), "layer:1: the unit of the column \"x\" is none of a length"));
+    EXPECT_TRUE(
+        begins(error("x [m/s],y,z,r\n1,2,3,1\n"), "layer:1: the unit of the column \"x [m/s]\" is none of a length"));
     const Source unknown = read("x,y,z,r,vx,vy,vz,omegax,omegay,omegaz\n1,2,3,1,4,nan,6,7,8,9\n");
     EXPECT_TRUE(unknown.velocity.empty());
     EXPECT_EQ(unknown.angular_velocity.size(), 1U);

@@ -12,9 +12,10 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 
-SOLVER = ["common", "solver/execution", "solver/contact", "solver/engine", "solver/scene", "solver/output", "solver", "solver/cli", "solver/main"]
+SOLVER = ["common", "common/tables", "solver/execution", "solver/contact", "solver/engine", "solver/scene", "solver/output", "solver", "solver/cli", "solver/main"]
 ANALYZER = [
     "common",
+    "common/tables",
     "analyzer/readers",
     "analyzer/configuration",
     "analyzer/fields",

@@ -26,6 +26,16 @@ public:
     /// Passes over lines. Throws InputError when the text ends before.
     void skip(std::size_t count, std::string_view wanted);
 
+    /// Throws InputError when the text ends inside the line, whose last number may then be cut. Blank lines do not
+    /// count.
+    void need_line_end() const;
+    /// Whether a line end follows the line; else the text ends with it.
+    [[nodiscard]] bool has_line_end() const { return has_line_end_; }
+    /// Takes white space and these characters off the beginning of the line.
+    void drop_front(std::string_view characters);
+    /// Takes this character and what follows it off the line, as a comment.
+    void drop_comment(char mark) { line_ = line_.substr(0, line_.find(mark)); }
+
     [[nodiscard]] std::string_view line() const { return line_; }
     [[nodiscard]] std::size_t line_number() const { return number_; }
     [[nodiscard]] std::string_view rest() const { return rest_; }
@@ -33,6 +43,8 @@ public:
 
     /// Cuts the line into cells(); `separator` ' ' stands for any white space.
     void split(char separator = ' ');
+    /// The same, but cells may stand in double quotes, with separators in them; the quotes are taken off.
+    void split_quoted(char separator);
     [[nodiscard]] const std::vector<std::string_view>& cells() const { return cells_; }
 
     /// The finite number in a cell; `column_name` is for the error.
@@ -59,6 +71,7 @@ private:
     std::string name_;
     std::string_view rest_, line_;
     std::size_t number_ = 0;
+    bool has_line_end_ = true;
     std::vector<std::string_view> cells_;
 };
 

@@ -1,4 +1,4 @@
-#include "analyzer/readers/text_cursor.hpp"
+#include "common/tables/text_cursor.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -21,6 +21,7 @@ constexpr bool is_white_space(char c) { return c == ' ' || (c >= '\t' && c <= '\
 bool TextCursor::next() {
     if (rest_.empty()) return false;
     const std::size_t end = std::min(rest_.find('\n'), rest_.size());
+    has_line_end_ = end < rest_.size();
     line_ = rest_.substr(0, end);
     rest_.remove_prefix(std::min(end + 1, rest_.size()));
     ++number_;
@@ -39,8 +40,18 @@ void TextCursor::need(std::string_view wanted) {
     fail(fmt::format("the file ends here, but {} should follow; copy the file again from where it was made", wanted));
 }
 
+void TextCursor::need_line_end() const {
+    if (has_line_end_ || line_.find_first_not_of(white_space) == std::string_view::npos) return;
+    fail("the file ends inside this line, so its last value may be cut; copy the file again from where it was made");
+}
+
 void TextCursor::skip(std::size_t count, std::string_view wanted) {
     for (std::size_t i = 0; i < count; ++i) need(wanted);
+}
+
+void TextCursor::drop_front(std::string_view characters) {
+    const auto drops = [&](char c) { return is_white_space(c) || characters.find(c) != std::string_view::npos; };
+    while (!line_.empty() && drops(line_.front())) line_.remove_prefix(1);
 }
 
 void TextCursor::split(char separator) {
@@ -60,6 +71,27 @@ void TextCursor::split(char separator) {
         const char* start = place;
         while (place != end && !is_white_space(*place)) ++place;
         cells_.emplace_back(start, static_cast<std::size_t>(place - start));
+    }
+}
+
+void TextCursor::split_quoted(char separator) {
+    constexpr char quote = '"';
+    if (line_.find(quote) == std::string_view::npos) return split(separator);
+    cells_.clear();
+    std::string_view rest = line_;
+    while (true) {
+        const std::size_t start = rest.find_first_not_of(separator == '\t' ? " \r\v\f" : white_space);
+        if (start == std::string_view::npos && separator == ' ') return;
+        rest.remove_prefix(std::min(start, rest.size()));
+        const std::size_t closing = rest.starts_with(quote) ? rest.find(quote, 1) : std::string_view::npos;
+        if (closing != std::string_view::npos) {
+            cells_.push_back(trimmed(rest.substr(1, closing - 1)));
+            rest.remove_prefix(closing + 1);
+        }
+        const std::size_t end = separator == ' ' ? rest.find_first_of(white_space) : rest.find(separator);
+        if (closing == std::string_view::npos) cells_.push_back(trimmed(rest.substr(0, end)));
+        if (end == std::string_view::npos) return;
+        rest.remove_prefix(end + 1);
     }
 }
 

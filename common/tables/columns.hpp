@@ -7,9 +7,12 @@
 #include <string>
 #include <string_view>
 
-#include "analyzer/readers/source.hpp"
-
 namespace recoat {
+
+/// Names of columns chosen by the user; an empty one stands for the usual names.
+struct ColumnNames {
+    std::string x, y, z, radius, diameter, type;
+};
 
 /// The column that holds the size of the particles, and what to multiply it with to get the radius.
 struct SizeColumn {
@@ -19,6 +22,9 @@ struct SizeColumn {
 
 /// Place of a name among the names, which are in small letters; the name's own letters do not matter.
 [[nodiscard]] std::optional<std::size_t> find_column(std::span<const std::string> names, std::string_view name);
+
+// The functions below look for the names that DEM codes use, in small letters; blanks, signs and a leading "particle"
+// do not matter: "position_x", "Position X", "Particle Position X", "position[x]" are one name.
 
 /// The first column with a usual name of this coordinate: 'x', 'y' or 'z'.
 [[nodiscard]] std::optional<std::size_t> find_coordinate(std::span<const std::string> names, char axis);
@@ -35,13 +41,22 @@ using VectorColumns = std::array<std::size_t, 3>;
 /// The columns with a usual name of the angular velocity: omegax, "AngularVelocity:0" ...
 [[nodiscard]] std::optional<VectorColumns> find_angular_velocity(std::span<const std::string> names);
 
-/// The column of the type: the one that the user chose, or that has a usual name. When there is none that the user
-/// chose, calls `fail` with the problem.
+/// A column with the name of a component of a velocity or angular velocity of which another is not there.
+[[nodiscard]] std::optional<std::size_t> find_part_of_velocity(std::span<const std::string> names);
+
+/// The column of the type with a usual name.
+[[nodiscard]] std::optional<std::size_t> find_usual_type(std::span<const std::string> names);
+
+/// The column of the type: the one that the user chose, or find_usual_type(). When there is none that the user chose,
+/// calls `fail` with the problem.
 [[nodiscard]] std::optional<std::size_t> find_type(std::span<const std::string> names, const ColumnNames& chosen,
                                                    const std::function<void(const std::string&)>& fail);
 
-/// The column of the size: the one that the user chose, or that has a usual name of a radius or a diameter. When there
-/// is none that the user chose, calls `fail` with the problem.
+/// The column of the size with a usual name of a radius or a diameter.
+[[nodiscard]] std::optional<SizeColumn> find_usual_size(std::span<const std::string> names);
+
+/// The column of the size: the one that the user chose, or find_usual_size(). When there is none that the user chose,
+/// calls `fail` with the problem.
 [[nodiscard]] std::optional<SizeColumn> find_size(std::span<const std::string> names, const ColumnNames& chosen,
                                                   const std::function<void(const std::string&)>& fail);
 
