@@ -237,8 +237,9 @@ AnalysisConfig read_analysis_config(const Config& given, const SourceInfo& info)
 ColumnNames read_column_names(const Config& config) {
     const Config columns = config.section_or_empty("columns");
     ColumnNames names;
-    for (const auto& [key, name] : {std::pair("x", &names.x), std::pair("y", &names.y), std::pair("z", &names.z),
-                                    std::pair("radius", &names.radius), std::pair("diameter", &names.diameter)}) {
+    for (const auto& [key, name] :
+         {std::pair("x", &names.x), std::pair("y", &names.y), std::pair("z", &names.z),
+          std::pair("radius", &names.radius), std::pair("diameter", &names.diameter), std::pair("type", &names.type)}) {
         if (columns.has(key)) *name = columns.text(key);
     }
     if (!names.radius.empty() && !names.diameter.empty()) {

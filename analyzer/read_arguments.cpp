@@ -7,6 +7,8 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include "analyzer/configuration.hpp"
+#include "common/config.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
 #include "common/units.hpp"
@@ -85,8 +87,24 @@ void add_read_arguments(CLI::App& command, ReadArguments& arguments) {
         ->allow_extra_args(false)
         ->excludes(kept);
     command.add_option("--type-column", arguments.type_column, "Column or array of the type");
+    command.add_option("--atom-style", arguments.atom_style,
+                       "Atom style of a LAMMPS data file that does not say it, e.g. sphere");
     command.add_flag("--skip-size-zero", arguments.skip_size_zero, "Leave out particles of size 0");
     command.add_option("--step", arguments.step, "Time step of a file with several: last, first, its number, or all");
+}
+
+void add_column_settings(CLI::App& command, std::vector<std::string>& settings) {
+    command
+        .add_option("--set", settings,
+                    "Name of a column: columns.x=NAME, and so y, z, radius, diameter, type (may be repeated)")
+        ->allow_extra_args(false);
+}
+
+ColumnNames column_names(const std::vector<std::string>& settings) {
+    const Config config = Config::parse("{}", "--set", settings);
+    ColumnNames names = read_column_names(config);
+    config.finish();
+    return names;
 }
 
 void add_frame_arguments(CLI::App& command, FrameArguments& arguments) {
@@ -107,6 +125,7 @@ ReadOptions read_options(const ReadArguments& arguments, ColumnNames columns) {
     }
     if (!arguments.type_column.empty()) options.columns.type = arguments.type_column;
     if (!arguments.radius.empty()) read_radius(arguments.radius, options);
+    options.atom_style = arguments.atom_style;
     options.types = arguments.types;
     options.types_left_out = arguments.types_left_out;
     options.leave_out_size_zero = arguments.skip_size_zero;

@@ -14,7 +14,7 @@ namespace recoat {
 
 /// Options of every command that reads particles, as texts.
 struct ReadArguments {
-    std::string length_unit, radius, radius_column, diameter_column, type_column, step = "last";
+    std::string length_unit, radius, radius_column, diameter_column, type_column, atom_style, step = "last";
     std::vector<std::string> types, types_left_out;
     bool skip_size_zero = false;
 };
@@ -26,6 +26,11 @@ struct FrameArguments {
 
 void add_read_arguments(CLI::App& command, ReadArguments& arguments);
 void add_frame_arguments(CLI::App& command, FrameArguments& arguments);
+
+/// --set of commands that have no configuration, for names of columns only.
+void add_column_settings(CLI::App& command, std::vector<std::string>& settings);
+/// The names that these settings give. Throws InputError naming a setting of anything else.
+[[nodiscard]] ColumnNames column_names(const std::vector<std::string>& settings);
 
 /// Whether --step asks for every time step of the file, which a command has to see to itself.
 [[nodiscard]] bool all_steps(std::string_view step);

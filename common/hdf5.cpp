@@ -110,6 +110,12 @@ Shape Dataset::shape() const {
 
 std::size_t Dataset::size() const { return product(shape()); }
 
+bool Dataset::holds_integers() const {
+    const LibraryLock lock;
+    const Handle type(H5Dget_type(handle_.id()), H5Tclose);
+    return H5Tget_class(type.id()) == H5T_INTEGER;
+}
+
 template <class Number>
 void Dataset::append(const std::vector<Number>& values) const {
     const LibraryLock lock;

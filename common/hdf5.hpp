@@ -42,6 +42,7 @@ class Dataset {
 public:
     [[nodiscard]] Shape shape() const;
     [[nodiscard]] std::size_t size() const;  ///< number of elements
+    [[nodiscard]] bool holds_integers() const;
 
     /// Adds rows (along the first axis) to a dataset made by Group::create_extendible.
     template <class Number>

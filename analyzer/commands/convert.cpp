@@ -1,4 +1,6 @@
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,6 +18,7 @@ namespace {
 struct Arguments {
     std::string file, out, format;
     ReadArguments read;
+    std::vector<std::string> settings;
 };
 
 /// Adds a time step, with warnings of what its file and the new one do not hold. The file begins with the first step.
@@ -36,7 +39,7 @@ void convert(const Arguments& arguments) {
     ReadArguments read = arguments.read;
     const bool all = all_steps(read.step);
     if (all) read.step = "last";
-    const ReadOptions options = read_options(read);
+    const ReadOptions options = read_options(read, column_names(arguments.settings));
     const Recording recording(arguments.file, options);
     if (all && !format.several_steps) {
         throw InputError(fmt::format(
@@ -64,6 +67,7 @@ void add_convert_command(CLI::App& app) {
     command->add_option("--format", arguments->format,
                         "csv, vtp, lammps-dump, vtkhdf or extended-xyz, whatever the ending");
     add_read_arguments(*command, arguments->read);
+    add_column_settings(*command, arguments->settings);
     command->callback([arguments] { convert(*arguments); });
 }
 

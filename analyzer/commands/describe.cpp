@@ -1,5 +1,7 @@
 #include <cstdio>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,6 +18,7 @@ namespace {
 struct Arguments {
     std::string file;
     ReadArguments read;
+    std::vector<std::string> settings;
     bool as_json = false;
 };
 
@@ -23,7 +26,7 @@ struct Arguments {
 void describe_all(const Arguments& arguments) {
     ReadArguments read = arguments.read;
     read.step = "last";
-    const Recording recording(arguments.file, read_options(read));
+    const Recording recording(arguments.file, read_options(read, column_names(arguments.settings)));
     recording.require_whole();
     std::string text;
     Warnings warnings;
@@ -42,7 +45,8 @@ void describe(const Arguments& arguments) {
         return;
     }
     if (all_steps(arguments.read.step)) return describe_all(arguments);
-    const Source source = read_particles(arguments.file, read_options(arguments.read));
+    const Source source =
+        read_particles(arguments.file, read_options(arguments.read, column_names(arguments.settings)));
     Warnings().show(source);
     std::fputs(describe_source(source, arguments.file, arguments.as_json).c_str(), stdout);
 }
@@ -55,6 +59,7 @@ void add_describe_command(CLI::App& app) {
     command->add_option("file", arguments->file, "File of particles; without it, the formats are listed");
     command->add_flag("--json", arguments->as_json, "As one JSON object");
     add_read_arguments(*command, arguments->read);
+    add_column_settings(*command, arguments->settings);
     command->callback([arguments] { describe(*arguments); });
 }
 

@@ -1,11 +1,13 @@
 #include "analyzer/commands/layer_arguments.hpp"
 
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include "analyzer/commands/warnings.hpp"
 #include "analyzer/readers/frame.hpp"
 #include "analyzer/readers/reader.hpp"
+#include "common/error.hpp"
 
 namespace recoat {
 
@@ -29,10 +31,41 @@ Config load_config(const LayerArguments& arguments) {
     return Config::load(arguments.config, settings);
 }
 
+namespace {
+
+/// Without particles there is nothing to measure, unless the configuration says all that they would show.
+bool is_empty(const Source& source, const Config& config) { return source.position.empty() && !config.has("d_p"); }
+
+std::string no_particles(const LayerArguments& arguments, const Recording& recording, const Source& source) {
+    if (recording.steps().size() == 1) return fmt::format("{}: the file has no particles", arguments.file);
+    return fmt::format("{}: the time step {} has no particles", arguments.file, source.step);
+}
+
+/// The frame of the last time step that has particles.
+AnalysisConfig config_of_last(const LayerArguments& arguments, const Recording& recording, const Config& config) {
+    for (std::size_t index = recording.steps().size(); index > 0; --index) {
+        Source source = recording.read(index - 1);
+        if (is_empty(source, config)) continue;
+        wrap_along_x(source);
+        complete_frame(source);
+        return read_analysis_config(config, source.info);
+    }
+    throw InputError(fmt::format("{}: no time step has particles; give a file that has", arguments.file));
+}
+
+}  // namespace
+
 PreparedLayer prepare_layer(const LayerArguments& arguments) {
     const Config config = load_config(arguments);
-    Source source = read_particles(arguments.file, read_options(arguments.read, read_column_names(config)));
+    const ReadOptions options = read_options(arguments.read, read_column_names(config));
+    const Recording recording(arguments.file, options);
+    Source source = recording.read(options.step);
     Warnings().show(source);
+    if (is_empty(source, config)) {
+        throw InputError(no_particles(arguments, recording, source) +
+                         (recording.steps().size() == 1 ? "; give one that has" : "; choose another with --step"));
+    }
+    wrap_along_x(source);
     complete_frame(source);
     AnalysisConfig resolved = read_analysis_config(config, source.info);
     lower_to_base(source, resolved.base);
@@ -47,14 +80,15 @@ void for_each_step(const LayerArguments& arguments,
     read.step = "last";
     const Recording recording(arguments.file, read_options(read, read_column_names(config)));
     recording.require_whole();
-    const std::size_t steps = recording.steps().size();
-    Source last = recording.read(steps - 1);
-    complete_frame(last);
-    const AnalysisConfig resolved = read_analysis_config(config, last.info);
+    const AnalysisConfig resolved = config_of_last(arguments, recording, config);
     Warnings warnings;
-    for (std::size_t index = 0; index < steps; ++index) {
+    for (std::size_t index = 0; index < recording.steps().size(); ++index) {
         Source source = recording.read(index);
+        const bool empty = is_empty(source, config);
+        if (empty) source.warnings.push_back(no_particles(arguments, recording, source) + "; it is passed over");
         warnings.show(source);
+        if (empty) continue;
+        wrap_along_x(source);
         lower_to_base(source, resolved.base);
         Layer layer = make_layer(source, resolved);
         take(recording.steps()[index], {std::move(layer), resolved, std::move(source)});

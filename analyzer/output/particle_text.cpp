@@ -56,20 +56,21 @@ std::vector<std::string> type_words(const Source& source) {
     return words;
 }
 
-/// The box of the file, or the extent of the particles and the period that the file tells.
+/// The box of the file, grown to hold the particles where it does not, or the extent of the particles and the period
+/// that the file tells.
 Box box_of(const Source& source) {
-    if (source.box) return *source.box;
-    Box box;
+    if (source.box && source.box->closed) return *source.box;
+    Box box = source.box.value_or(Box{});
     for (std::size_t i = 0; i < source.position.size(); ++i) {
         const Vec3 p = source.position[i], low = box.lower, high = box.upper;
         const double r = source.radius[i];
-        const bool first = i == 0;
+        const bool first = i == 0 && !source.box;
         box.lower = {std::min(first ? p.x : low.x, p.x - r), std::min(first ? p.y : low.y, p.y - r),
                      std::min(first ? p.z : low.z, p.z - r)};
         box.upper = {std::max(first ? p.x : high.x, p.x + r), std::max(first ? p.y : high.y, p.y + r),
                      std::max(first ? p.z : high.z, p.z + r)};
     }
-    if (source.position.empty()) box.upper = {1, 1, 1};
+    if (source.position.empty() && !source.box) box.upper = {1, 1, 1};
     if (source.info.y_period > 0) {
         box.lower.y = source.info.y_min;
         box.upper.y = source.info.y_min + source.info.y_period;

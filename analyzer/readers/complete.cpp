@@ -10,6 +10,7 @@
 
 #include "analyzer/readers/particle_types.hpp"
 #include "common/error.hpp"
+#include "common/tables/text_cursor.hpp"
 
 namespace recoat {
 namespace {
@@ -47,11 +48,11 @@ void set_radius(Source& source, const std::string& file, const ReadOptions& opti
     const bool has_radius = !source.radius.empty() || source.position.empty();
     const bool given = options.radius || !options.radius_of_type.empty();
     if (!has_radius && !given) {
-        throw InputError(
-            fmt::format("{}: the file gives no size of its particles under a usual name; name the column "
-                        "(--radius-column or --diameter-column) or give one radius for all, or one for each type "
-                        "(--radius)",
-                        file));
+        throw InputError(fmt::format(
+            "{}: the file gives no size of its particles under a usual name{}; name the column "
+            "(--radius-column or --diameter-column) or give one radius for all, or one for each type "
+            "(--radius)",
+            file, source.columns.empty() ? "" : fmt::format(" (it has: {})", quotable_list(source.columns))));
     }
     if (!source.radius.empty() && given) {
         throw InputError(fmt::format("{}: the file gives the size of its particles; leave the radius out", file));
@@ -127,9 +128,10 @@ void check_identities(const Source& source, const std::string& file) {
                     place(source, file, twice[1]), source.id[twice[1]], first));
 }
 
-/// Codes move particles back into the box now and then only, so a diameter of play.
+/// Codes move particles back into the box now and then only, so a diameter of play, that of the largest.
 void check_box(const Source& source, const std::string& file) {
     const Box& box = *source.box;
+    const double play = source.radius.empty() ? 0 : 2 * std::ranges::max(source.radius);
     struct Axis {
         char name;
         double Vec3::*value;
@@ -143,9 +145,10 @@ void check_box(const Source& source, const std::string& file) {
                             "m); correct the bounds",
                             file, axes[a].name, upper, lower));
         }
-        if (box.periodic[a] && box.unwrapped[a]) continue;
+        // Along a period, a place outside is another image.
+        if (box.periodic[a] || !box.closed) continue;
         for (std::size_t i = 0; i < source.position.size(); ++i) {
-            const double value = source.position[i].*axes[a].value, play = 2 * source.radius[i];
+            const double value = source.position[i].*axes[a].value;
             if (value >= lower - play && value <= upper + play) continue;
             throw InputError(
                 fmt::format("{}: the particle lies at {} = {:.9g} m, outside the box of the file, {:.9g} ... {:.9g} m; "

@@ -7,6 +7,7 @@
 
 #include "analyzer/readers/packing.hpp"
 #include "common/error.hpp"
+#include "common/tables/text_encoding.hpp"
 
 namespace recoat {
 namespace {
@@ -51,6 +52,15 @@ std::string read_bytes(const std::filesystem::path& file) {
     return bytes;
 }
 
+void refuse_wide_text(const Content& content) {
+    const std::string_view encoding = wide_encoding(content.head());
+    if (encoding.empty()) return;
+    throw InputError(
+        fmt::format("{}: the file is text in {}, which is not read; save it as UTF-8 (in an editor, or by "
+                    "iconv -f {} -t UTF-8)",
+                    content.name(), encoding, encoding));
+}
+
 }  // namespace
 
 bool Content::is_hdf5() const { return has_hdf5_signature(head()); }
@@ -65,6 +75,8 @@ Content make_content(const std::filesystem::path& file, std::string bytes) {
                                          content.name(), packing->name));
         }
     }
+    refuse_wide_text(content);
+    content.bytes.erase(0, content.bytes.size() - without_byte_order_mark(content.bytes).size());
     if (content.bytes.empty()) {
         throw InputError(fmt::format("{}: the file is empty; give a file of particles", content.name()));
     }

@@ -26,6 +26,7 @@ Source read_csv(const Content& content, const ReadOptions& options) {
     for (const std::string_view name : table.type) source.type.add(name);
     source.line = std::move(table.line);
     source.warnings = std::move(table.warnings);
+    source.columns = std::move(table.columns);
     if (table.has_units) source.own_unit = 1.0;
     source.info.base = 0;
     return source;

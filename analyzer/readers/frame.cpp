@@ -32,6 +32,14 @@ double find_base(const Source& source, double diameter) {
 
 }  // namespace
 
+void wrap_along_x(Source& source) {
+    if (!source.box || !source.box->periodic[0]) return;
+    const double low = source.box->lower.x, period = source.box->upper.x - low;
+    for (Vec3& p : source.position) {
+        if (p.x < low || p.x >= low + period) p.x -= period * std::floor((p.x - low) / period);
+    }
+}
+
 void complete_frame(Source& source) {
     if (source.position.empty()) return;
     SourceInfo& info = source.info;

@@ -4,6 +4,10 @@
 
 namespace recoat {
 
+/// Brings particles outside a box that is periodic along x back into it: a place outside is another image. Along y the
+/// analysis does the same.
+void wrap_along_x(Source& source);
+
 /// Fills in what the analysis needs and the file does not say, as far as the particles and the box show it:
 /// particle diameter: the median, to six digits; x_lower, x_upper: smallest and largest x of the centres; y_min,
 /// y_period: the box where it is periodic along y; y_lower, y_upper: else the box or the extent of the particles, as a

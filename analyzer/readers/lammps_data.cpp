@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/readers/lammps_box.hpp"
 #include "analyzer/readers/lammps_velocities.hpp"
 #include "common/number.hpp"
 #include "common/tables/text_cursor.hpp"
@@ -20,12 +21,13 @@ struct AtomStyle {
     std::size_t x;        ///< y and z follow
     int diameter;         ///< density follows; -1: none
 };
-constexpr std::array<AtomStyle, 8> styles = {{{"sphere", 7, 4, 2},
+constexpr std::array<AtomStyle, 9> styles = {{{"sphere", 7, 4, 2},
                                               {"granular", 7, 4, 2},
                                               {"bpm/sphere", 8, 5, 3},
                                               {"atomic", 5, 2, -1},
                                               {"charge", 6, 3, -1},
                                               {"bond", 6, 3, -1},
+                                              {"angle", 6, 3, -1},
                                               {"molecular", 6, 3, -1},
                                               {"full", 7, 4, -1}}};
 
@@ -41,10 +43,16 @@ bool is_heading(std::string_view line) {
     return !text.empty() && ((text[0] >= 'A' && text[0] <= 'Z') || (text[0] >= 'a' && text[0] <= 'z'));
 }
 
+const AtomStyle* find_style(std::string_view name) {
+    const auto style = std::ranges::find(styles, name, &AtomStyle::name);
+    return style == styles.end() ? nullptr : &*style;
+}
+
 class DataReader {
 public:
     DataReader(const Content& content, const ReadOptions& options)
         : cursor_(content.name(), content.bytes),
+          options_(options),
           si_(options.length_unit.value_or(1.0) == 1.0),
           allow_size_zero_(options.allow_size_zero()) {}
 
@@ -52,15 +60,27 @@ public:
         cursor_.need("a comment");
         read_header();
         read_atoms();
+        while (cursor_.next()) continue;
+        cursor_.need_line_end();
         return std::move(source_);
     }
 
 private:
+    /// To the next line that is more than a comment; what its comment says is kept.
+    bool next_content() {
+        while (cursor_.next_filled()) {
+            const std::size_t hash = cursor_.line().find('#');
+            comment_ = hash == std::string_view::npos ? "" : trimmed(cursor_.line().substr(hash + 1));
+            cursor_.drop_comment('#');
+            if (!trimmed(cursor_.line()).empty()) return true;
+        }
+        return false;
+    }
+
     /// Up to the section Atoms.
     void read_header() {
         while (true) {
-            if (!cursor_.next_filled()) cursor_.fail("there is no section Atoms; give a data file with atoms");
-            const std::string_view line = cursor_.line();
+            if (!next_content()) cursor_.fail("there is no section Atoms; give a data file with atoms");
             cursor_.split();
             const auto& cells = cursor_.cells();
             if (cells[0] == "Atoms") break;
@@ -68,49 +88,31 @@ private:
                 const auto count = cursor_.integer(0, "atoms");
                 if (count < 0) cursor_.fail_at(0, "atoms", "a number of atoms cannot be negative");
                 count_ = static_cast<std::size_t>(count);
-            } else if (line.find("xy xz yz") != std::string_view::npos || line.find("avec") != std::string_view::npos) {
-                cursor_.fail(
-                    "the box is triclinic (tilted), which has no meaning for a layer; write it from an "
-                    "orthogonal box");
-            } else if (cells.size() == 4) {
-                read_bounds();
             }
+            box_.take(cursor_);
         }
-        const std::size_t hash = cursor_.line().find('#');
-        if (hash == std::string_view::npos) return;
-        const std::string_view name = trimmed(cursor_.line().substr(hash + 1));
-        const auto style = std::ranges::find(styles, name, &AtomStyle::name);
-        if (style == styles.end()) {
-            cursor_.fail(fmt::format("the atom style \"{}\" is not known; write the data with one of sphere, atomic",
-                                     quotable(name)));
-        }
-        style_ = &*style;
+        read_style();
     }
 
-    void read_bounds() {
-        struct Axis {
-            std::string_view lower, upper;
-            double Vec3::*value;
-        };
-        constexpr std::array<Axis, 3> axes = {
-            {{"xlo", "xhi", &Vec3::x}, {"ylo", "yhi", &Vec3::y}, {"zlo", "zhi", &Vec3::z}}};
-        for (const Axis& axis : axes) {
-            if (cursor_.cells()[2] != axis.lower || cursor_.cells()[3] != axis.upper) continue;
-            box_.lower.*axis.value = cursor_.number(0, axis.lower);
-            box_.upper.*axis.value = cursor_.number(1, axis.upper);
-            ++bounds_;
-        }
-    }
-
-    /// The style that the number of columns of the first atom tells.
-    void guess_style() {
-        const std::size_t columns = cursor_.cells().size();
-        const bool sphere = columns == 7 || columns == 10, atomic = columns == 5 || columns == 8;
-        if (!sphere && !atomic) {
+    /// The style that the comment behind "Atoms" names, or the option.
+    void read_style() {
+        const std::string& told = options_.atom_style;
+        if (comment_.empty() && told.empty()) {
             cursor_.fail(
-                fmt::format("no atom style with {} columns is known; name the style: Atoms # sphere", columns));
+                "the file does not say its atom style, so its columns have no meaning; write it behind the heading, "
+                "e.g. "
+                "\"Atoms # sphere\", or name it with --atom-style sphere");
         }
-        style_ = sphere ? &styles[0] : &styles[3];
+        if (!comment_.empty() && !told.empty() && comment_ != told) {
+            cursor_.fail(fmt::format("the file says itself that its atom style is \"{}\"; leave --atom-style out",
+                                     quotable(comment_)));
+        }
+        style_ = find_style(comment_.empty() ? std::string_view(told) : comment_);
+        if (style_ != nullptr) return;
+        std::string known;
+        for (const AtomStyle& style : styles) known += (known.empty() ? "" : ", ") + std::string(style.name);
+        cursor_.fail(fmt::format("the atom style \"{}\" is not known; write the data with one of {}",
+                                 quotable(comment_.empty() ? std::string_view(told) : comment_), known));
     }
 
     void read_atoms() {
@@ -133,28 +135,28 @@ private:
             one_density = one_density && (i == 0 || own == density);
             density = own;
         }
-        if (cursor_.next_filled() && !is_heading(cursor_.line())) {
+        cursor_.need_line_end();
+        if (next_content() && !is_heading(cursor_.line())) {
             cursor_.fail(
                 fmt::format("the section Atoms goes on after {} atoms, all that the head announces; make them "
                             "agree",
                             count_));
         }
         if (trimmed(cursor_.line()).starts_with("Velocities")) read_lammps_velocities(cursor_, source_);
-        if (bounds_ == 3) source_.box = box_;
-        if (style_ != nullptr) source_.facts.emplace_back("atom style", style_->name);
+        source_.box = box_.box();
+        if (source_.box) source_.box->periodic = periodic_;
+        source_.facts.emplace_back("atom style", style_->name);
         if (one_density && density > 0 && si_) source_.info.density = density;
     }
 
     void next_atom(std::size_t index) {
-        const bool there = index == 0 ? cursor_.next_filled() : cursor_.next();
-        if (!there || trimmed(cursor_.line()).empty() || is_heading(cursor_.line())) {
+        if (!next_content() || is_heading(cursor_.line())) {
             cursor_.fail(
                 fmt::format("the section Atoms ends after {} of {} atoms; copy the file again from where it "
                             "was made",
                             index, count_));
         }
         cursor_.split();
-        if (style_ == nullptr) guess_style();
         const std::size_t columns = cursor_.cells().size();
         // A line cut behind the position would else be one without image flags.
         if (index == 0 && (columns == style_->columns || columns == style_->columns + 3)) columns_ = columns;
@@ -168,16 +170,18 @@ private:
     void read_images() {
         if (cursor_.cells().size() == style_->columns) return;
         for (std::size_t a = 0; a < 3; ++a) {
-            if (cursor_.integer(style_->columns + a, "image flag") != 0) box_.periodic[a] = true;
+            if (cursor_.integer(style_->columns + a, "image flag") != 0) periodic_[a] = true;
         }
     }
 
     TextCursor cursor_;
-    bool si_;  ///< whether densities are in kg/m3
+    const ReadOptions& options_;
+    std::string_view comment_;  ///< of the line
+    bool si_;                   ///< whether densities are in kg/m3
     bool allow_size_zero_;
     std::size_t count_ = 0;
-    Box box_;
-    int bounds_ = 0;
+    DataBox box_;
+    std::array<bool, 3> periodic_ = {};
     const AtomStyle* style_ = nullptr;
     std::size_t columns_ = 0;  ///< of every atom
     Source source_;
@@ -188,8 +192,8 @@ private:
 bool is_lammps_data(const Content& content) {
     // The first line may hold anything.
     const std::string_view head = content.head();
-    return looks_like_text(head) && head.find(" xlo xhi") != std::string_view::npos &&
-           head.find(" atoms") != std::string_view::npos;
+    const auto has = [&](std::string_view word) { return head.find(word) != std::string_view::npos; };
+    return looks_like_text(head) && ((has("xlo") && has("xhi")) || has(" avec")) && has("atoms");
 }
 
 Series open_lammps_data(const Content& content, const ReadOptions& options) {

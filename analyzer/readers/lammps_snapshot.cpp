@@ -5,32 +5,11 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/readers/lammps_box.hpp"
 #include "common/number.hpp"
 
 namespace recoat {
 namespace {
-
-/// "ITEM: BOX BOUNDS ff pp ff": what follows are the flags, or the names of tilt factors.
-void read_box(TextCursor& cursor, std::string_view flags, Box& box) {
-    if (flags.find("xy") != std::string_view::npos || flags.find("abc") != std::string_view::npos) {
-        cursor.fail("the box is triclinic (tilted), which has no meaning for a layer; dump from an orthogonal box");
-    }
-    cursor.split();
-    const std::vector<std::string_view> words = cursor.cells();
-    constexpr std::array<double Vec3::*, 3> axes = {&Vec3::x, &Vec3::y, &Vec3::z};
-    for (std::size_t a = 0; a < 3; ++a) {
-        // The first three words are "ITEM:", "BOX" and "BOUNDS"; old dumps have no flags.
-        box.periodic[a] = words.size() == 6 && words[3 + a] == "pp";
-        cursor.need("the bounds of the box");
-        cursor.split();
-        if (cursor.cells().size() != 2) {
-            cursor.fail(fmt::format("the line has {} numbers, but the bounds of a box along one direction are 2",
-                                    cursor.cells().size()));
-        }
-        box.lower.*axes[a] = cursor.number(0, "lower bound");
-        box.upper.*axes[a] = cursor.number(1, "upper bound");
-    }
-}
 
 void read_columns(TextCursor& cursor, std::string_view names, LammpsSnapshot& snapshot) {
     cursor.split();
@@ -79,7 +58,7 @@ bool read_item(TextCursor& cursor, LammpsSnapshot& snapshot, Found& found) {
         snapshot.count = cursor.count("number of atoms");
         found.count = true;
     } else if (is_item(line, "ITEM: BOX BOUNDS", rest)) {
-        read_box(cursor, rest, snapshot.box);
+        snapshot.box = read_dump_box(cursor);
         found.box = true;
     } else if (is_item(line, "ITEM: ATOMS", rest)) {
         read_columns(cursor, rest, snapshot);

@@ -42,6 +42,7 @@ void read_lammps_velocities(TextCursor& cursor, Source& source) {
                             "was made",
                             i, source.position.size()));
         }
+        cursor.drop_comment('#');
         cursor.split();
         const std::size_t columns = cursor.cells().size();
         if (columns != linear_columns && columns != all_columns) {

@@ -28,6 +28,7 @@ public:
                                 quotable(word)));
             }
         }
+        scanner_.need_line_end();
         if (!has_points_) scanner_.fail("the file ends without POINTS; give one with particles");
         return std::move(points_);
     }
@@ -144,8 +145,13 @@ private:
 
     void keep_or_skip(const std::string& name, std::size_t tuples, std::size_t components, const std::string& type,
                       bool of_points) {
+        if (of_points) points_.offer(name);
         if (!of_points || !VtkPoints::wanted(name, components, chosen_) || points_.find(name, components)) {
             return scanner_.skip_tuples(tuples, components, type);
+        }
+        if (VtkPoints::holds_identities(name, components)) {
+            LegacyVtkScanner ahead = scanner_;
+            points_.append_identities(ahead.whole_numbers(tuples, type));
         }
         points_.append(name, components, scanner_.numbers(tuples, components, type));
     }

@@ -77,6 +77,23 @@ std::vector<double> LegacyVtkScanner::numbers(std::size_t tuples, std::size_t co
     return values;
 }
 
+std::optional<std::vector<std::int64_t>> LegacyVtkScanner::whole_numbers(std::size_t count, const std::string& type) {
+    const auto known = vtk_type(lower_case(type));
+    if (!known) return {};
+    if (binary_) return whole_numbers_from(take_bytes(count, 1, 8 * known->size), *known, true);
+    std::vector<std::int64_t> values(elements(count, 1));
+    for (std::int64_t& value : values) {
+        skip_white_space();
+        const std::string_view text = take_word();
+        const auto real = parse_number(text);
+        auto whole = parse_integer(text);
+        if (!whole && real) whole = whole_number(*real);
+        if (!whole) return {};
+        value = *whole;
+    }
+    return values;
+}
+
 void LegacyVtkScanner::skip_tuples(std::size_t tuples, std::size_t components, const std::string& type) {
     const std::size_t bits = bits_of(lower_case(type));
     if (binary_ && bits == 0) {
@@ -99,6 +116,11 @@ void LegacyVtkScanner::skip_metadata() {
     (void)take_line();
     while (place_ < bytes_.size() && !trimmed(take_line()).empty()) {
     }
+}
+
+void LegacyVtkScanner::need_line_end() const {
+    if (binary_ || trimmed(bytes_.substr(bytes_.rfind('\n') + 1)).empty()) return;
+    fail("the file ends inside this line, so its last value may be cut; copy the file again from where it was made");
 }
 
 void LegacyVtkScanner::fail(const std::string& problem) const {

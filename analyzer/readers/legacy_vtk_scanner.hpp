@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -28,10 +30,14 @@ public:
 
     /// An array of `tuples` x `components` numbers of the named type; begins on the next line.
     [[nodiscard]] std::vector<double> numbers(std::size_t tuples, std::size_t components, const std::string& type);
+    /// An array of so many numbers as whole numbers to the last bit; nothing where one is none.
+    [[nodiscard]] std::optional<std::vector<std::int64_t>> whole_numbers(std::size_t count, const std::string& type);
     void skip(std::size_t count, const std::string& type) { skip_tuples(count, 1, type); }
     void skip_tuples(std::size_t tuples, std::size_t components, const std::string& type);
     /// Passes over a METADATA block, which ends with an empty line.
     void skip_metadata();
+    /// Refuses an ASCII file that ends inside its last line, whose last number may be cut.
+    void need_line_end() const;
     /// Type of colours: bytes in binary files, reals in ASCII ones.
     [[nodiscard]] std::string colour_type() const { return binary_ ? "unsigned_char" : "float"; }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/readers/row_block.hpp"
 #include "common/number.hpp"
 #include "common/tables/text_cursor.hpp"
 
@@ -32,6 +33,11 @@ bool is_header(const TextCursor& cursor) {
     return count && *count >= 0 && all_numbers(cells);
 }
 
+bool is_next_header(TextCursor& line) {
+    line.split();
+    return is_header(line);
+}
+
 Snapshot read_header(TextCursor& cursor) {
     cursor.split();
     if (cursor.cells().size() == flat_header_columns && is_header(cursor)) {
@@ -50,7 +56,8 @@ Source read_particles_of(Snapshot snapshot, const ReadOptions& options) {
     TextCursor& cursor = snapshot.place;
     Source source;
     source.box = Box{.lower = {cursor.number(2, "xmin"), cursor.number(3, "ymin"), cursor.number(4, "zmin")},
-                     .upper = {cursor.number(5, "xmax"), cursor.number(6, "ymax"), cursor.number(7, "zmax")}};
+                     .upper = {cursor.number(5, "xmax"), cursor.number(6, "ymax"), cursor.number(7, "zmax")},
+                     .closed = false};  // a domain to look at, no wall
     for (std::size_t i = 0; i < snapshot.count; ++i) {
         cursor.need("a particle");
         cursor.split();
@@ -86,7 +93,11 @@ Series open_mercury_data(const Content& content, const ReadOptions& options) {
     scan_steps(series, [&] {
         if (!cursor.next_filled()) return false;
         Snapshot snapshot = read_header(cursor);
-        cursor.skip(snapshot.count, fmt::format("{} particles of the snapshot {}", snapshot.count, snapshots.size()));
+        pass_rows(cursor,
+                  {.rows = snapshot.count,
+                   .columns = particle_columns,
+                   .what = fmt::format("{} particles of the snapshot {}", snapshot.count, snapshots.size())},
+                  is_next_header);
         series.steps.push_back(static_cast<std::int64_t>(snapshots.size()));
         series.times.push_back(snapshot.time);
         snapshots.push_back(std::move(snapshot));

@@ -7,6 +7,7 @@
 
 #include "analyzer/readers/complete.hpp"
 #include "analyzer/readers/csv.hpp"
+#include "analyzer/readers/edem_queries.hpp"
 #include "analyzer/readers/extended_xyz.hpp"
 #include "analyzer/readers/foreign_kinds.hpp"
 #include "analyzer/readers/lammps_data.hpp"
@@ -24,10 +25,10 @@
 namespace recoat {
 namespace {
 
-constexpr std::array all_readers = {
-    recoat_state_reader, vtkhdf_reader,       lammps_dump_reader, lammps_data_reader,    yade_text_reader,
-    mercury_data_reader, legacy_vtk_reader,   vtk_pieces_reader,  vtk_collection_reader, vtk_series_reader,
-    vtk_xml_reader,      extended_xyz_reader, csv_reader};
+constexpr std::array all_readers = {recoat_state_reader,   vtkhdf_reader,       lammps_dump_reader, lammps_data_reader,
+                                    yade_text_reader,      mercury_data_reader, legacy_vtk_reader,  vtk_pieces_reader,
+                                    vtk_collection_reader, vtk_series_reader,   vtk_xml_reader,     extended_xyz_reader,
+                                    edem_queries_reader,   csv_reader};
 
 const Reader& reader_of(const Content& content) {
     if (const auto kind = foreign_kind(content)) throw InputError(fmt::format("{}: {}", content.name(), *kind));

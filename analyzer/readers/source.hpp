@@ -37,6 +37,7 @@ struct Box {
     Vec3 lower, upper;
     std::array<bool, 3> periodic = {};   ///< along x, y, z; false where the file says nothing
     std::array<bool, 3> unwrapped = {};  ///< positions may lie in another image of the box
+    bool closed = true;                  ///< whether no particle lies beyond it where it is not periodic
 };
 
 /// Kinds of particles, under the names that the file gives them: numbers or words.
@@ -65,6 +66,7 @@ struct Source {
     double time = SourceInfo::unknown;   ///< [s]; NaN where the file has none
     SourceInfo info;
     std::vector<std::pair<std::string, std::string>> facts;  ///< further things the file says: name and value
+    std::vector<std::string> columns;   ///< names of all columns or arrays, where the file names them
     std::vector<std::string> warnings;  ///< whole sentences: what the user should know although the file was read
 };
 
@@ -83,6 +85,7 @@ struct ReadOptions {
     std::map<std::string, double> radius_of_type = {};  ///< [m], by the name of the type
     std::vector<std::string> types = {};                ///< the only ones that are kept; empty: all
     std::vector<std::string> types_left_out = {};
+    std::string atom_style = {};       ///< of a LAMMPS data file that does not say it
     bool leave_out_size_zero = false;  ///< particles of size 0, which some programs write as placeholders
     StepChoice step = {};
 

@@ -47,6 +47,48 @@ std::string_view appended_bytes(const XmlElement& array, const ArrayEncoding& en
     return encoding.appended.substr(static_cast<std::size_t>(*offset));
 }
 
+bool is_ascii(const XmlElement& array) { return array.attribute("format", "ascii") == "ascii"; }
+
+std::optional<std::vector<std::int64_t>> read_whole_ascii(const XmlElement& array, const std::string& file) {
+    std::vector<std::int64_t> values;
+    TextCursor cursor(file, array.text);
+    while (cursor.next_filled()) {
+        cursor.split();
+        for (const std::string_view cell : cursor.cells()) {
+            const auto real = parse_number(cell);
+            auto value = parse_integer(cell);
+            if (!value && real) value = whole_number(*real);
+            if (!value) return {};
+            values.push_back(*value);
+        }
+    }
+    return values;
+}
+
+NumberType type_of(const XmlElement& array, const std::string& file) {
+    const auto type = vtk_type(array.attribute("type"));
+    if (!type) fail(file, array, fmt::format("is of the type \"{}\"", quotable(array.attribute("type"))));
+    return *type;
+}
+
+/// The `size` bytes of a binary array.
+std::string bytes_of(const XmlElement& array, std::size_t size, const ArrayEncoding& encoding,
+                     const std::string& file) {
+    const std::string format = array.attribute("format");
+    try {
+        const bool inline_data = format == "binary";
+        if (!inline_data && format != "appended")
+            throw BlockError(fmt::format("has the format \"{}\"", quotable(format)));
+        const std::string_view text =
+            inline_data ? std::string_view(array.text) : appended_bytes(array, encoding, file);
+        ByteStream stream(text, inline_data || encoding.appended_base64);
+        const BlockHeader header{encoding.header_size, encoding.big_endian};
+        return encoding.compressed ? read_compressed(stream, header, size) : read_plain(stream, header, size);
+    } catch (const BlockError& error) {
+        fail(file, array, error.what());
+    }
+}
+
 }  // namespace
 
 ArrayEncoding array_encoding(const XmlDocument& document, const std::string& file) {
@@ -75,25 +117,16 @@ std::vector<double> read_array(const XmlElement& array, std::size_t tuples, std:
                          components));
     }
     const std::size_t count = tuples * components;
-    const std::string format = array.attribute("format", "ascii");
-    if (format == "ascii") return read_ascii(array, count, file);
-    const auto type = vtk_type(array.attribute("type"));
-    if (!type) fail(file, array, fmt::format("is of the type \"{}\"", quotable(array.attribute("type"))));
-    try {
-        const bool inline_data = format == "binary";
-        if (!inline_data && format != "appended")
-            throw BlockError(fmt::format("has the format \"{}\"", quotable(format)));
-        const std::string_view text =
-            inline_data ? std::string_view(array.text) : appended_bytes(array, encoding, file);
-        ByteStream stream(text, inline_data || encoding.appended_base64);
-        const BlockHeader header{encoding.header_size, encoding.big_endian};
-        const std::size_t size = count * type->size;
-        const std::string bytes =
-            encoding.compressed ? read_compressed(stream, header, size) : read_plain(stream, header, size);
-        return numbers_from(bytes, *type, encoding.big_endian);
-    } catch (const BlockError& error) {
-        fail(file, array, error.what());
-    }
+    if (is_ascii(array)) return read_ascii(array, count, file);
+    const NumberType type = type_of(array, file);
+    return numbers_from(bytes_of(array, count * type.size, encoding, file), type, encoding.big_endian);
+}
+
+std::optional<std::vector<std::int64_t>> read_whole_array(const XmlElement& array, std::size_t count,
+                                                          const ArrayEncoding& encoding, const std::string& file) {
+    if (is_ascii(array)) return read_whole_ascii(array, file);
+    const NumberType type = type_of(array, file);
+    return whole_numbers_from(bytes_of(array, count * type.size, encoding, file), type, encoding.big_endian);
 }
 
 }  // namespace recoat

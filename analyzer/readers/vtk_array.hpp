@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,5 +25,10 @@ struct ArrayEncoding {
 /// The numbers of a DataArray of `tuples` x `components`. Throws InputError with file and line when they are not there.
 [[nodiscard]] std::vector<double> read_array(const XmlElement& array, std::size_t tuples, std::size_t components,
                                              const ArrayEncoding& encoding, const std::string& file);
+
+/// The same of one component as whole numbers to the last bit; nothing where one is none.
+[[nodiscard]] std::optional<std::vector<std::int64_t>> read_whole_array(const XmlElement& array, std::size_t count,
+                                                                        const ArrayEncoding& encoding,
+                                                                        const std::string& file);
 
 }  // namespace recoat

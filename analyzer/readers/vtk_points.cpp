@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 
 #include <fmt/format.h>
@@ -14,13 +13,6 @@
 
 namespace recoat {
 namespace {
-
-/// Identities, which some programs write as real numbers; none where they are no whole numbers.
-std::vector<std::int64_t> whole_numbers(std::span<const double> values) {
-    constexpr double largest = 0x1p53;
-    if (!std::ranges::all_of(values, [](double v) { return v == std::floor(v) && std::abs(v) <= largest; })) return {};
-    return {values.begin(), values.end()};
-}
 
 /// Marks of points that stand in a piece only because they border on it; another piece has them as its own.
 std::optional<std::size_t> find_ghosts(std::span<const std::string> names) {
@@ -56,6 +48,19 @@ bool VtkPoints::wanted(std::string_view name, std::size_t components, const Colu
            names[0] == lower_case(chosen.type);
 }
 
+bool VtkPoints::holds_identities(std::string_view name, std::size_t components) {
+    const std::array<std::string, 1> names = {lower_case(name)};
+    return components == 1 && find_id(names);
+}
+
+void VtkPoints::append_identities(const std::optional<std::vector<std::int64_t>>& values) {
+    if (values) identities.insert(identities.end(), values->begin(), values->end());
+}
+
+void VtkPoints::offer(const std::string& name) {
+    if (std::ranges::find(offered, name) == offered.end()) offered.push_back(name);
+}
+
 void VtkPoints::append_positions(std::span<const double> flat) {
     position.reserve(position.size() + flat.size() / 3);
     for (std::size_t i = 0; i + 2 < flat.size(); i += 3) position.push_back({flat[i], flat[i + 1], flat[i + 2]});
@@ -84,6 +89,7 @@ Source particles_from(VtkPoints points, const ColumnNames& chosen, const std::st
     if (const auto columns = find_velocity(points.names)) source.velocity = vectors(points, *columns);
     if (const auto columns = find_angular_velocity(points.names)) source.angular_velocity = vectors(points, *columns);
     source.position = std::move(points.position);
+    source.columns = points.offered;
     const auto size = find_size(points.names, chosen, [&](const std::string& problem) {
         throw InputError(fmt::format("{}: {}", file, problem));
     });
@@ -98,7 +104,16 @@ Source particles_from(VtkPoints points, const ColumnNames& chosen, const std::st
     if (type) {
         for (const double value : points.arrays[*type]) source.type.add(shortest(value));
     }
-    if (const auto id = find_id(points.names)) source.id = whole_numbers(points.arrays[*id]);
+    if (const auto id = find_id(points.names)) {
+        if (points.identities.size() == source.position.size()) {
+            source.id = std::move(points.identities);
+        } else {
+            source.warnings.push_back(
+                fmt::format("{}: the array \"{}\" holds other than whole numbers of 64 bits, so it is not taken for "
+                            "identities",
+                            file, quotable(points.names[*id])));
+        }
+    }
     if (const auto ghosts = find_ghosts(points.names)) {
         std::vector<bool> own(source.position.size());
         for (std::size_t i = 0; i < own.size(); ++i) own[i] = points.arrays[*ghosts][i] == 0;

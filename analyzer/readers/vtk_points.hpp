@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,9 +16,17 @@ struct VtkPoints {
     std::vector<Vec3> position;
     std::vector<std::string> names;           ///< of the columns, in small letters; "name:0" ... "name:2" of vectors
     std::vector<std::vector<double>> arrays;  ///< [names][N]
+    std::vector<std::string> offered;         ///< names of all arrays of the points in the file
+    std::vector<std::int64_t> identities;     ///< as many as points, where all of them are whole numbers
 
     /// Whether an array can be of use: a size, an identity, a velocity, or what the user asks for.
     [[nodiscard]] static bool wanted(std::string_view name, std::size_t components, const ColumnNames& chosen);
+
+    /// Whether this is the array of the identities, which are appended as whole numbers too.
+    [[nodiscard]] static bool holds_identities(std::string_view name, std::size_t components);
+    void append_identities(const std::optional<std::vector<std::int64_t>>& values);
+    /// Notes that the points have an array of this name.
+    void offer(const std::string& name);
 
     /// Adds points, three numbers each.
     void append_positions(std::span<const double> flat);

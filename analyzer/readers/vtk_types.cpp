@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 namespace recoat {
 namespace {
@@ -42,14 +44,25 @@ constexpr std::array<NamedType, 26> types = {{
     {"UInt64", {natural, 8}},
 }};
 
+std::int64_t with_sign(std::uint64_t bits, NumberType type) {
+    const auto shift = 64 - 8 * type.size;  // brings the sign to the top and back
+    return static_cast<std::int64_t>(bits << shift) >> shift;
+}
+
 double number_from(std::uint64_t bits, NumberType type) {
     if (type.kind == natural) return static_cast<double>(bits);
     if (type.kind == real) {
         if (type.size == 4) return std::bit_cast<float>(static_cast<std::uint32_t>(bits));
         return std::bit_cast<double>(bits);
     }
-    const auto shift = 64 - 8 * type.size;  // brings the sign to the top and back
-    return static_cast<double>(static_cast<std::int64_t>(bits << shift) >> shift);
+    return static_cast<double>(with_sign(bits, type));
+}
+
+std::optional<std::int64_t> whole_number_from(std::uint64_t bits, NumberType type) {
+    if (type.kind == real) return whole_number(number_from(bits, type));
+    if (type.kind == whole) return with_sign(bits, type);
+    if (bits > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) return {};
+    return static_cast<std::int64_t>(bits);
 }
 
 template <class Real>
@@ -69,6 +82,22 @@ std::optional<NumberType> vtk_type(std::string_view name) {
     const auto found = std::ranges::find(types, name, &NamedType::name);
     if (found == types.end()) return {};
     return found->type;
+}
+
+std::optional<std::int64_t> whole_number(double value) {
+    constexpr double largest = 0x1p53;
+    if (value != std::floor(value) || std::abs(value) > largest) return {};
+    return static_cast<std::int64_t>(value);
+}
+
+std::optional<std::vector<std::int64_t>> whole_numbers_from(std::string_view bytes, NumberType type, bool big_endian) {
+    std::vector<std::int64_t> values(bytes.size() / type.size);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const auto value = whole_number_from(natural_from(bytes.substr(i * type.size, type.size), big_endian), type);
+        if (!value) return {};
+        values[i] = *value;
+    }
+    return values;
 }
 
 std::uint64_t natural_from(std::string_view bytes, bool big_endian) {

@@ -69,11 +69,15 @@ private:
         for (const XmlElement& array : data.children) {
             const std::string name = array.attribute("Name"), components = array.attribute("NumberOfComponents", "1");
             const std::size_t width = components == "1" ? 1 : components == "3" ? 3 : 0;
+            if (array.name == "DataArray") points_.offer(name);
             if (array.name != "DataArray" || !VtkPoints::wanted(name, width, chosen_)) continue;
             if (is_there(name, width)) {
                 fail(array, fmt::format("the array \"{}\" is there twice; give it once", quotable(name)));
             }
             points_.append(name, width, read_array(array, count, width, encoding_, file_));
+            if (VtkPoints::holds_identities(name, width)) {
+                points_.append_identities(read_whole_array(array, count, encoding_, file_));
+            }
         }
     }
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "analyzer/readers/vtk_points.hpp"
+#include "analyzer/readers/vtk_types.hpp"
 #include "common/error.hpp"
 #include "common/hdf5.hpp"
 #include "common/number.hpp"
@@ -86,13 +87,32 @@ private:
     void read_arrays(VtkPoints& points, std::size_t step, Rows rows) const {
         const auto arrays = root_.group("PointData");
         for (const std::string& name : arrays.names()) {
+            points.offer(name);
             if (!VtkPoints::wanted(name, 1, chosen_) && !VtkPoints::wanted(name, 3, chosen_)) continue;
             const auto array = arrays.dataset(name);
             const hdf5::Shape shape = array.shape();
             const std::size_t components = shape.size() == 1 ? 1 : shape.size() == 2 ? shape[1] : 0;
             if (!VtkPoints::wanted(name, components, chosen_) || points.find(name, components)) continue;
-            points.append(name, components, array.read_rows<double>(first_row(name, step, rows), rows.count));
+            const std::size_t first = first_row(name, step, rows);
+            points.append(name, components, array.read_rows<double>(first, rows.count));
+            if (VtkPoints::holds_identities(name, components)) {
+                points.append_identities(whole_numbers(array, points.arrays.back(), first, rows.count));
+            }
         }
+    }
+
+    /// To the last bit where the array holds whole numbers, else where its real numbers are whole.
+    static std::optional<std::vector<std::int64_t>> whole_numbers(const hdf5::Dataset& array,
+                                                                  const std::vector<double>& values, std::size_t first,
+                                                                  std::size_t count) {
+        if (array.holds_integers()) return array.read_rows<std::int64_t>(first, count);
+        std::vector<std::int64_t> result;
+        for (const double real : values) {
+            const auto whole = whole_number(real);
+            if (!whole) return {};
+            result.push_back(*whole);
+        }
+        return result;
     }
 
     /// Arrays that do not change may be there once.

@@ -51,6 +51,7 @@ Source read_yade_text(const Content& content, const ReadOptions& options) {
         if (has_id) source.id.push_back(cursor.integer(0, "id"));
         source.line.push_back(cursor.line_number());
     }
+    cursor.need_line_end();
     return source;
 }
 

@@ -75,7 +75,10 @@ private:
         if (columns_.angular_velocity) {
             spin_factors_ = factors(*columns_.angular_velocity, Dimension::angular_velocity);
         }
-        table_.has_units = lengths_have_units(header, columns_);
+        std::vector<std::size_t> lengths(columns_.position.begin(), columns_.position.end());
+        if (columns_.size) lengths.push_back(columns_.size->index);
+        table_.has_units = lengths_have_units(header, lengths);
+        table_.columns = header.names();
         list_unused();
     }
 

@@ -29,6 +29,7 @@ struct CsvTable {
     std::vector<std::string_view> type;  ///< [N] cells of the text, or empty
     std::vector<std::size_t> line;       ///< [N] lines of the text
     bool has_units = false;              ///< whether units are named and all is in SI units, velocities without one too
+    std::vector<std::string> columns;    ///< names of all, in small letters
     std::vector<std::string> unused;     ///< names of columns that were passed over
     std::vector<std::string> warnings;   ///< whole sentences
 };

@@ -107,17 +107,17 @@ double Header::factor(std::size_t column, Dimension dimension) const {
                                   dimension_name(dimension), problem_of(symbol, dimension).value_or("correct it")));
 }
 
+std::optional<SizeColumn> choose_size(Header& header, const ColumnNames& chosen) {
+    if (!chosen.radius.empty()) return SizeColumn{header.choose(chosen.radius), 1.0};
+    if (!chosen.diameter.empty()) return SizeColumn{header.choose(chosen.diameter), 0.5};
+    return find_usual_size(header.bare_names());
+}
+
 ParticleColumns find_particle_columns(Header& header, const ColumnNames& chosen) {
     ParticleColumns columns;
     columns.position = {coordinate(header, 'x', chosen.x), coordinate(header, 'y', chosen.y),
                         coordinate(header, 'z', chosen.z)};
-    if (!chosen.radius.empty()) {
-        columns.size = SizeColumn{header.choose(chosen.radius), 1.0};
-    } else if (!chosen.diameter.empty()) {
-        columns.size = SizeColumn{header.choose(chosen.diameter), 0.5};
-    } else {
-        columns.size = find_usual_size(header.bare_names());
-    }
+    columns.size = choose_size(header, chosen);
     columns.id = find_id(header.bare_names());
     columns.type = chosen.type.empty() ? find_usual_type(header.bare_names()) : header.choose(chosen.type);
     columns.velocity = find_velocity(header.bare_names());
@@ -125,9 +125,7 @@ ParticleColumns find_particle_columns(Header& header, const ColumnNames& chosen)
     return columns;
 }
 
-bool lengths_have_units(const Header& header, const ParticleColumns& columns) {
-    std::vector<std::size_t> lengths(columns.position.begin(), columns.position.end());
-    if (columns.size) lengths.push_back(columns.size->index);
+bool lengths_have_units(const Header& header, std::span<const std::size_t> lengths) {
     const auto has_unit = [&](std::size_t column) { return header.has_unit(column); };
     const auto with = std::ranges::find_if(lengths, has_unit), without = std::ranges::find_if_not(lengths, has_unit);
     if (with == lengths.end()) return false;

@@ -53,6 +53,10 @@ private:
     std::vector<std::string> names_, bare_names_, symbols_;
 };
 
+/// The column of the size: the one that the user chose, or one with a usual name. Throws ColumnError when the chosen
+/// one is not there.
+[[nodiscard]] std::optional<SizeColumn> choose_size(Header& header, const ColumnNames& chosen);
+
 /// Where a table has what.
 struct ParticleColumns {
     VectorColumns position = {};
@@ -64,7 +68,7 @@ struct ParticleColumns {
 /// The columns that the user chose, or those with usual names. Throws ColumnError when a coordinate is not there.
 [[nodiscard]] ParticleColumns find_particle_columns(Header& header, const ColumnNames& chosen);
 
-/// Whether lengths have units: all, or none. Throws ColumnError when some have.
-[[nodiscard]] bool lengths_have_units(const Header& header, const ParticleColumns& columns);
+/// Whether these columns, all lengths, have units: all, or none. Throws ColumnError when some have.
+[[nodiscard]] bool lengths_have_units(const Header& header, std::span<const std::size_t> lengths);
 
 }  // namespace recoat
