@@ -65,6 +65,11 @@ bool read_item(TextCursor& cursor, LammpsSnapshot& snapshot, Found& found) {
         return true;
     } else if (is_item(line, "ITEM: NUMBER OF ENTRIES", rest) || is_item(line, "ITEM: ENTRIES", rest)) {
         cursor.fail("this dump lists local entries such as contacts, not particles; give a dump of atoms");
+    } else if (!line.starts_with("ITEM:")) {
+        cursor.fail(
+            fmt::format("\"{}\" stands where an item should begin (ITEM: ...), behind all atoms that the last "
+                        "snapshot announces; make their number agree, or copy the file again",
+                        quotable(line)));
     } else {
         cursor.fail(fmt::format("\"{}\" is no item of a dump of atoms; copy the file again from where it was made",
                                 quotable(line)));

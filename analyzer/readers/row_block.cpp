@@ -41,11 +41,7 @@ void pass_rows(TextCursor& cursor, const RowBlock& block, bool (*is_head)(TextCu
         cursor.need(block.what);
     }
     TextCursor after = cursor;
-    if (after.next_filled() && !is_head(after)) {
-        refuse_first_odd_row(before, block, is_head);
-        after.fail(
-            fmt::format("the file goes on after the {}, all that their head announces; make them agree", block.what));
-    }
+    if (after.next_filled() && !is_head(after)) refuse_first_odd_row(before, block, is_head);
     cursor.need_line_end();
 }
 

@@ -13,7 +13,8 @@ struct RowBlock {
 };
 
 /// Passes over rows that are read later; the cursor ends on the last. When they are not all there, or something else
-/// than the head of another step follows, the line that is to blame is the first among them that is no row.
+/// than the head of another step follows, the line that is to blame is the first among them that is no row, where there
+/// is one.
 /// @throws InputError naming that line, or that the file ends too early or inside the last line.
 void pass_rows(TextCursor& cursor, const RowBlock& block, bool (*is_head)(TextCursor& line));
 

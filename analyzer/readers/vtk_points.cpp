@@ -58,7 +58,8 @@ void VtkPoints::append_identities(const std::optional<std::vector<std::int64_t>>
 }
 
 void VtkPoints::offer(const std::string& name) {
-    if (std::ranges::find(offered, name) == offered.end()) offered.push_back(name);
+    std::string plain = lower_case(name);
+    if (std::ranges::find(offered, plain) == offered.end()) offered.push_back(std::move(plain));
 }
 
 void VtkPoints::append_positions(std::span<const double> flat) {
@@ -90,17 +91,19 @@ Source particles_from(VtkPoints points, const ColumnNames& chosen, const std::st
     if (const auto columns = find_angular_velocity(points.names)) source.angular_velocity = vectors(points, *columns);
     source.position = std::move(points.position);
     source.columns = points.offered;
-    const auto size = find_size(points.names, chosen, [&](const std::string& problem) {
-        throw InputError(fmt::format("{}: {}", file, problem));
-    });
+    for (const std::string* name : {&chosen.radius, &chosen.diameter, &chosen.type}) {
+        if (name->empty() || find_column(points.names, *name)) continue;
+        throw InputError(fmt::format("{}: there is no column \"{}\"; the file has: {}", file, quotable(*name),
+                                     quotable_list(points.offered)));
+    }
+    const auto none = [](const std::string&) {};  // those that are chosen are there
+    const auto size = find_size(points.names, chosen, none);
     if (size) {
         source.radius = points.arrays[size->index];
         for (double& value : source.radius) value *= size->to_radius;
         source.facts.emplace_back("size from", points.names[size->index]);
     }
-    const auto type = find_type(points.names, chosen, [&](const std::string& problem) {
-        throw InputError(fmt::format("{}: {}", file, problem));
-    });
+    const auto type = find_type(points.names, chosen, none);
     if (type) {
         for (const double value : points.arrays[*type]) source.type.add(shortest(value));
     }

@@ -27,15 +27,66 @@ TEST_F(LammpsData, AtomsBoxAndDensity) {
     EXPECT_EQ(source.box->periodic, (std::array{false, true, false}));
 }
 
-TEST_F(LammpsData, OtherStyles) {
-    EXPECT_EQ(read(replaced(small, " # sphere", "")).radius[1], 0.5);
-    const std::string atomic = replaced(
-        replaced(replaced(small, "1 1 0.5 2500 1 1 1 0 -1 0", "1 1 1 1 1"), "2 1 1 2500 2 1 1 0 0 0", "2 1 2 1 1"),
-        " # sphere", "");
-    EXPECT_TRUE(begins(error(atomic), "layer: the file gives no size of its particles"));
-    EXPECT_EQ(read(atomic, {.columns = {}, .length_unit = {}, .radius = 0.5}).position[1], (Vec3{2, 1, 1}));
+TEST_F(LammpsData, TheStyleIsToldNotGuessed) {
+    const std::string untold = replaced(small, " # sphere", "");
+    EXPECT_TRUE(begins(error(untold), "layer:14: the file does not say its atom style"));
+    ReadOptions options;
+    options.atom_style = "sphere";
+    EXPECT_EQ(read(untold, options).radius[1], 0.5);
+    EXPECT_EQ(read(small, options).radius[1], 0.5);
+    options.atom_style = "atomic";
+    EXPECT_TRUE(begins(error(small, options), "layer:14: the file says itself that its atom style is \"sphere\""));
+    EXPECT_TRUE(begins(error(untold, options), "layer:16: the line has 10 columns, but atoms of style atomic"));
+    options.atom_style = "sphear";
+    EXPECT_TRUE(begins(error(untold, options), "layer:14: the atom style \"sphear\" is not known"));
     EXPECT_TRUE(
         begins(error(replaced(small, "# sphere", "# hybrid sphere")), "layer:14: the atom style \"hybrid sphe"));
+    const std::string bonded = replaced(replaced(replaced(small, "1 1 0.5 2500 1 1 1 0 -1 0", "1 9 1 0.5 2500 1 1 1"),
+                                                 "2 1 1 2500 2 1 1 0 0 0", "2 9 1 1 2500 2 1 1"),
+                                        "# sphere", "# bpm/sphere");
+    EXPECT_EQ(read(bonded).radius, (std::vector<double>{0.25, 0.5}));
+    const std::string atomic = replaced(
+        replaced(replaced(small, "1 1 0.5 2500 1 1 1 0 -1 0", "1 1 1 1 1"), "2 1 1 2500 2 1 1 0 0 0", "2 1 2 1 1"),
+        "# sphere", "# atomic");
+    EXPECT_TRUE(begins(error(atomic), "layer: the file gives no size of its particles"));
+    EXPECT_EQ(read(atomic, {.columns = {}, .length_unit = {}, .radius = 0.5}).position[1], (Vec3{2, 1, 1}));
+}
+
+TEST_F(LammpsData, CommentsAreNoContent) {
+    std::string text = replaced(small, "2 atoms", "2 atoms  # all grains");
+    text = replaced(text, "0 3 zlo zhi", "  \t \n0 3 zlo zhi # open above");
+    text = replaced(text, "Atoms # sphere", "# what follows\n  Atoms   # sphere");
+    text = replaced(text, "1 1 1 0 -1 0", "1 1 1 0 -1 0 # a grain\n# another\n");
+    text = replaced(text, "Velocities", "# and how fast\nVelocities # m/s");
+    text = replaced(text, "2 1 2 3 0 0 4", "2 1 2 3 0 0 4#fast");
+    const Source source = read(text);
+    EXPECT_EQ(source.position, (std::vector<Vec3>{{1, 1, 1}, {2, 1, 1}}));
+    EXPECT_EQ(source.velocity, (std::vector<Vec3>{{0, 0, -1}, {1, 2, 3}}));
+    EXPECT_EQ(source.box->upper, (Vec3{4, 2, 3}));
+}
+
+TEST_F(LammpsData, BoxesThatAreNotTilted) {
+    for (const char* tilts : {"0 0 0 xy xz yz", "0.0 -0.0 0e0 xy xz yz", "1e-16 0 0 xy xz yz"}) {
+        EXPECT_EQ(read(replaced(small, "zlo zhi\n", "zlo zhi\n" + std::string(tilts) + "\n")).box->upper,
+                  (Vec3{4, 2, 3}));
+    }
+    const std::string edges = "4 0 0 avec\n0 2 0 bvec\n0 0 3 cvec\n-1 0 0 abc origin\n";
+    const std::string general = replaced(small, "0 4 xlo xhi\n0 2 ylo yhi\n0 3 zlo zhi\n", edges);
+    EXPECT_EQ(read(general).box->lower, (Vec3{-1, 0, 0}));
+    EXPECT_EQ(read(general).box->upper, (Vec3{3, 2, 3}));
+    EXPECT_TRUE(begins(error(replaced(general, "0 2 0 bvec", "0.1 2 0 bvec")), "layer:7: the box is triclinic"));
+    EXPECT_TRUE(
+        begins(error(replaced(small, "zlo zhi\n", "zlo zhi\n0 0 1e-4 xy xz yz\n")), "layer:9: the box is triclinic"));
+}
+
+TEST_F(LammpsData, FilesThatEndInsideALine) {
+    for (const std::size_t cut : {1U, 2U}) {
+        EXPECT_TRUE(begins(error(small.substr(0, small.size() - cut)), "layer:22: "));
+    }
+    const std::string atoms = small.substr(0, small.find("\n\nVelocities"));
+    EXPECT_TRUE(begins(error(atoms), "layer:17: the file ends inside this line"));
+    EXPECT_EQ(read(atoms + "\n").position.size(), 2U);
+    EXPECT_TRUE(begins(error(small + "\nBonds\n\n1 1 1"), "layer:26: the file ends inside this line"));
 }
 
 TEST_F(LammpsData, RealFile) {
@@ -65,7 +116,7 @@ TEST_F(LammpsData, Velocities) {
 TEST_F(LammpsData, DamagedFiles) {
     const std::string atom = "1 1 0.5 2500 1 1 1 0 -1 0\n";
     const auto with = [&](const std::string& line) { return error(replaced(small, atom, line)); };
-    EXPECT_TRUE(begins(error(replaced(small, "2 atoms", "3 atoms")), "layer:18: the section Atoms ends after 2 of 3"));
+    EXPECT_TRUE(begins(error(replaced(small, "2 atoms", "3 atoms")), "layer:19: the section Atoms ends after 2 of 3"));
     EXPECT_TRUE(
         begins(error(small.substr(0, small.find("2 1 1 2500"))), "layer:16: the section Atoms ends after 1 of 2"));
     EXPECT_TRUE(begins(error(small.substr(0, small.find("Atoms"))), "layer:13: there is no section Atoms"));
@@ -76,8 +127,6 @@ TEST_F(LammpsData, DamagedFiles) {
     EXPECT_TRUE(begins(with("1 1 0 2500 1 1 1 0 0 0\n"), "layer:16: column 3 (diameter): \"0\": a particle must have"));
     EXPECT_TRUE(begins(with("2 1 0.5 2500 1 1 1 0 0 0\n"), "layer:17: the id 2 has been given to another particle"));
     EXPECT_TRUE(begins(with("1 1 0.5 2500 1 1 7 0 0 0\n"), "layer:16: the particle lies at z = 7 m, outside the box"));
-    EXPECT_TRUE(
-        begins(error(replaced(small, "\nMasses", "0 0 0 xy xz yz\n\nMasses")), "layer:9: the box is triclinic"));
 }
 
 }  // namespace

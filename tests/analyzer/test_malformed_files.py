@@ -99,7 +99,7 @@ def test_wrong_number_of_columns(refusal, name, difference):
     assert f"layer:{first + ROW}: the line has {columns + difference} columns" in refusal("\n".join(lines))
 
 
-@pytest.mark.parametrize("name", ["lammps-dump", "lammps-data", "mercury-data"])
+@pytest.mark.parametrize("name", ["lammps-dump", "lammps-data"])
 def test_outside_the_box(refusal, name):
     text, line = changed(name, "x", "0.5")
     assert f"layer:{line}: the particle lies at x = 0.5 m, outside the box of the file, 0 ... 0.004 m" in refusal(text)
@@ -140,10 +140,12 @@ def test_binary_where_numbers_are_expected(refusal, name):
 
 
 def test_tilted_boxes(refusal):
-    dump = small_layers.dump_head("xy xz yz ff pp ff")
-    assert "layer:5: the box is triclinic (tilted)" in refusal(dump)
-    assert "layer:5: the box is triclinic (tilted)" in refusal(small_layers.dump_head("abc origin ff pp ff"))
-    data = TEXTS["lammps-data"].replace("\nAtoms", "0 0 0 xy xz yz\n\nAtoms")
+    """Tilt factors, or vectors along the edges and the origin behind each of them."""
+    tilts = re.sub(r"(?m)^(0\.0 [\d.e-]+)$", r"\1 1e-5", small_layers.dump_head("xy xz yz ff pp ff"))
+    assert "layer:6: the box is triclinic (tilted)" in refusal(tilts)
+    edges = re.sub(r"(?m)^0\.0 ([\d.e-]+)$", r"\1 \1 \1 0", small_layers.dump_head("abc origin ff pp ff"))
+    assert "layer:6: the box is triclinic (tilted)" in refusal(edges)
+    data = TEXTS["lammps-data"].replace("\nAtoms", "0 1e-5 0 xy xz yz\n\nAtoms")
     assert "layer:9: the box is triclinic (tilted)" in refusal(data)
 
 
@@ -153,7 +155,7 @@ def test_units_that_do_not_fit(refusal):
     sentence = refusal(dump.replace("lj", "micro"), "--length-unit", "mm")
     assert "layer: the file says itself that its unit of length is 1e-06 m; leave the unit out" in sentence
     assert "--length-unit" in refusal(TEXTS["csv"], "--length-unit", "furlong")
-    assert 'layer:1: there is no column "x"' in refusal(TEXTS["csv"].replace(",x,", ",x [furlong],"))
+    assert 'layer:1: the unit of the column "x [furlong]" is none of a length' in refusal(TEXTS["csv"].replace(",x,", ",x [furlong],"))
 
 
 @pytest.mark.parametrize("count", [0, 1, 4096, 1_000_000])

@@ -86,7 +86,7 @@ def test_a_column_of_another_name(good, refused, tmp_path):
     (tmp_path / "layer").write_text("x,y,z,r,phase\n1,1,1,1,a\n3,1,1,1,b\n")
     assert described(good, "layer", "--type-column", "phase", "--type", "b")["x [m]"] == [3, 3]
     assert "layer: the file gives no types of its particles" in refused("describe", "layer", "--type", "b")
-    assert 'there is no column "kind"; the file has: x, y, z, r, phase' in refused("describe", "layer", "--type-column", "kind")
+    assert 'there is no column "kind" among those of the file (x, y, z, r, phase)' in refused("describe", "layer", "--type-column", "kind")
 
 
 @pytest.mark.parametrize("name", TYPED)

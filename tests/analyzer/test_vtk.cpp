@@ -51,6 +51,28 @@ TEST_F(Vtk, LegacyDamaged) {
     EXPECT_NE(box.find(":4: the data set is of the kind RECTILINEAR_GRID, which holds no particles"), box.npos) << box;
 }
 
+TEST_F(Vtk, LegacyTextThatEndsInsideALine) {
+    EXPECT_TRUE(begins(error(old_text.substr(0, old_text.size() - 1)), "layer:27: the file ends inside this line"));
+    EXPECT_EQ(read(old_text + "  ").id.size(), 2U);
+}
+
+TEST_F(Vtk, IdentitiesKeepEveryBit) {
+    const std::vector<std::int64_t> large = {1152921504606846977, -9223372036854775807};
+    EXPECT_EQ(read(replaced(old_text, "int\n7 8", "vtktypeint64\n1152921504606846977 -9223372036854775807")).id, large);
+    EXPECT_EQ(read(replaced(old_text, "int\n7 8", "double\n7.0 8e0")).id, (std::vector<std::int64_t>{7, 8}));
+    // Numbers that are not whole are no identities, which is said.
+    const Source none = read(replaced(old_text, "int\n7 8", "double\n7.5 8"));
+    EXPECT_TRUE(none.id.empty());
+    ASSERT_EQ(none.warnings.size(), 1U);
+    EXPECT_NE(none.warnings[0].find("the array \"id\" holds other than whole numbers"), std::string::npos);
+    const std::string id = "<DataArray type=\"Int64\" Name=\"id\" format=\"ascii\">1152921504606846977</DataArray>\n";
+    EXPECT_EQ(read(replaced(xml_text, "</PointData>", id + "</PointData>")).id[0], large[0]);
+    // The same number in base64, behind a header that says eight bytes.
+    const std::string packed =
+        "<DataArray type=\"UInt64\" Name=\"id\" format=\"binary\">CAAAAAEAAAAAAAAQ</DataArray>\n";
+    EXPECT_EQ(read(replaced(xml_text, "</PointData>", packed + "</PointData>")).id[0], large[0]);
+}
+
 TEST_F(Vtk, XmlText) {
     const Source source = read(xml_text);
     EXPECT_EQ(source.format, "vtk-xml");

@@ -26,6 +26,7 @@ TEST_F(YadeText, RealFile) {
 }
 
 TEST_F(YadeText, DamagedFiles) {
+    EXPECT_TRUE(begins(error("#format x_y_z_r\n1 2 3 4\n1 2 3 4"), "layer:3: the file ends inside this line"));
     EXPECT_TRUE(begins(error("#format x_y_z_r\n1 2 3\n"), "layer:2: the line has 3 columns, 4 or more are expected"));
     EXPECT_TRUE(begins(error("#format x_y_z_r\n1 2 3 4\n1 2 3 4 5\n"), "layer:3: the line has 5 columns, 4 are"));
     EXPECT_TRUE(begins(error("#format x_y_z_r\n1 2 NaN 4\n"), "layer:2: column 3 (z): \"NaN\": the number is not fin"));
