@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/readers/particle_types.hpp"
 #include "common/error.hpp"
 #include "common/number.hpp"
 #include "common/tables/columns.hpp"
