@@ -34,7 +34,7 @@ VoxelMetrics voxel_metrics(const Layer& layer, const Analysis& exact, const Anal
     }
     std::ranges::sort(metrics.density_pore_cells);
     metrics.density_pore_errors =
-        density_pore_errors(exact.packing.exact, metrics.maps.phi, config.density_threshold, config.grid);
+        density_pore_errors(exact.packing.exact, metrics.maps.phi, config.density_threshold, layer.grid.cell().area());
     metrics.chambers = pixel_chambers(layer, config, voxels_per_dp);
     if (exact.chamber_pores.persistent) {
         metrics.chamber_errors = chamber_errors(wide_circles(exact.chamber_pores.persistent->circles),

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/division.hpp"
+#include "analyzer/region.hpp"
 #include "common/number.hpp"
 
 namespace recoat {
@@ -17,9 +19,6 @@ using Words = std::array<std::string_view, 2>;
 
 /// Cells that a region may have along one direction, and in all.
 constexpr double most_cells = 1e8;
-constexpr double alignment = 1e-6;
-
-bool is_whole(double value) { return std::abs(value - std::round(value)) <= alignment; }
 
 /// A value of the configuration, or else what the file of particles says.
 double own_or_stated(const Config& config, std::string_view key, Dimension dimension, double stated, Range range = {}) {
@@ -46,19 +45,6 @@ double degrees_or(const Config& config, std::string_view key, double fallback, R
     return value;
 }
 
-/// The extent of the particles, one diameter in from its ends, shortened to whole cells.
-void region_of_particles(const Config& config, const SourceInfo& info, AnalysisConfig& result) {
-    const double d = result.particle_diameter, cell = result.grid * d;
-    const double cells = std::floor((info.x_upper - info.x_lower - 2 * d) / cell + alignment);
-    if (!(cells >= 1)) {
-        config.fail("x_range", fmt::format("the particles lie between x = {:.6g} and {:.6g} m, too near for a region "
-                                           "to be found; give one (--region)",
-                                           info.x_lower, info.x_upper));
-    }
-    result.x_begin = info.x_lower + d;
-    result.x_end = result.x_begin + cells * cell;
-}
-
 /// What neither the configuration nor a file of another code says.
 void refuse_gaps(const Config& config, const SourceInfo& info) {
     if (std::isnan(info.x_lower)) return;
@@ -80,63 +66,41 @@ void refuse_gaps(const Config& config, const SourceInfo& info) {
     }
 }
 
-/// Region along x: given, or the way of the blade without its first and its last part [paper section 3], shortened to
-/// whole cells.
-void read_region(const Config& config, const SourceInfo& info, AnalysisConfig& result) {
-    if (config.has("x_range")) {
-        for (const std::string_view key : {"skip_start", "skip_end"}) {
-            if (config.has(key))
-                config.fail(key, "x_range is given too; give either x_range or what to skip of the spreading length");
-        }
-        const std::vector<double> range = config.quantities("x_range", Dimension::length, 2);
-        result.x_begin = range[0];
-        result.x_end = range[1];
-        return;
+/// Windows must lie in the period and, if outer nodes are dropped, in the region.
+void check_windows(const Config& config, const AnalysisConfig& result, double nx, double ny) {
+    for (const auto& [key, window] :
+         {std::pair("phi_window", result.phi_window), std::pair("height_window", result.height_window)}) {
+        if (window <= ny * result.grid + fits_within) continue;
+        config.fail(key, fmt::format("the window is wider than the y period: {:.6g} d_p in a period of {:.6g} d_p; "
+                                     "take a smaller one, e.g. --set {}={:.6g}dp",
+                                     window, result.y_period / result.particle_diameter, key, ny * result.grid));
     }
-    if (std::isnan(info.blade_start) || std::isnan(info.spread_length)) {
-        if (!std::isnan(info.x_lower)) return region_of_particles(config, info, result);
-        (void)config.quantities("x_range", Dimension::length, 2);
+    // Outer nodes drop in pairs, one at either end.
+    const double dropped = std::max(0.0, std::ceil((result.phi_window / result.grid - 1) / 2 - fits_within));
+    if (result.phi_x_edge == WindowEdge::interior && nx - 2 * dropped < 1) {
+        config.fail("phi_x_edge", "no window lies in the region; take a smaller phi_window or a longer region");
     }
-    constexpr double paper_start = 100.0 / 500, paper_end = 10.0 / 500;
-    const double start =
-        config.quantity_or("skip_start", Dimension::length, paper_start * info.spread_length, Range::not_negative());
-    const double end =
-        config.quantity_or("skip_end", Dimension::length, paper_end * info.spread_length, Range::not_negative());
-    const double cell = result.grid * result.particle_diameter;
-    const double cells = std::floor((info.spread_length - start - end) / cell + alignment);
-    if (cells < 1)
-        config.fail(config.has("skip_start") ? "skip_start" : "skip_end",
-                    "nothing is left of the spreading length; skip less, or give x_range");
-    result.x_begin = info.blade_start + start;
-    result.x_end = result.x_begin + cells * cell;
 }
 
+/// A grid that is asked for by name must fit; otherwise its cells are stretched.
 void check_cells(const Config& config, const AnalysisConfig& result) {
     const double cell = result.grid * result.particle_diameter;
     const double nx = (result.x_end - result.x_begin) / cell, ny = result.y_period / cell;
-    if (!(nx > 0)) config.fail("x_range", "the region ends before it begins; give [start, end] with start < end");
-    if (!is_whole(nx) || nx < 0.5) {
+    const bool must_fit = config.has("grid");
+    if (nx < 0.5 || (must_fit && !is_whole(nx))) {
         config.fail(
             "x_range",
             fmt::format("the region is {:.6g} cells of {:.6g} m long; make it a whole number of cells", nx, cell));
     }
-    if (!is_whole(ny) || ny < 0.5) {
+    if (ny < 0.5 || (must_fit && !is_whole(ny))) {
         config.fail("y_period",
-                    fmt::format("the period is {:.6g} cells of {:.6g} m; make it a whole number by the choice of grid",
+                    fmt::format("the period is {:.6g} cells of {:.6g} m; make it a whole number by the choice of grid, "
+                                "or leave grid out",
                                 ny, cell));
     }
     if (nx * ny > most_cells)
         config.fail("grid", fmt::format("{:.3g} cells are too many; take larger cells or a smaller region", nx * ny));
-    for (const auto& [key, window] :
-         {std::pair("phi_window", result.phi_window), std::pair("height_window", result.height_window)}) {
-        if (window > ny * result.grid + alignment)
-            config.fail(key, "the window is wider than the y period; take a smaller one");
-    }
-    // Outer nodes drop in pairs, one at either end.
-    const double dropped = std::max(0.0, std::ceil((result.phi_window / result.grid - 1) / 2 - alignment));
-    if (result.phi_x_edge == WindowEdge::interior && std::round(nx) - 2 * dropped < 1) {
-        config.fail("phi_x_edge", "no window lies in the region; take a smaller phi_window or a longer region");
-    }
+    check_windows(config, result, divide(nx).count, divide(ny).count);
 }
 
 void read_voxels(const Config& config, AnalysisConfig& result) {
@@ -149,22 +113,29 @@ void read_voxels(const Config& config, AnalysisConfig& result) {
     }
 }
 
+/// Voxels are stretched as cells are; windows hold whole ones where both fit. Windows that hold less than a voxel, or
+/// that were asked for together with voxels that do not fit them, are refused.
 void check_voxels(const Config& config, const AnalysisConfig& result) {
-    const double d = result.particle_diameter;
+    const double d = result.particle_diameter, length = (result.x_end - result.x_begin) / d;
     for (const int n : result.voxels_per_dp) {
-        for (const auto& [name, length] :
-             {std::pair("y_period", result.y_period / d), std::pair("phi_window", result.phi_window),
-              std::pair("height_window", result.height_window)}) {
-            if (!is_whole(length * n)) {
-                config.fail(
-                    "voxels_per_dp",
-                    fmt::format("{} is {:.6g} voxels at {} per d_p; choose a number that divides it into whole voxels",
-                                name, length * n, n));
-            }
+        const double narrowest =
+            std::min(divide(length / result.grid).stretch / divide(length * n).stretch,
+                     divide(result.y_period / d / result.grid).stretch / divide(result.y_period / d * n).stretch);
+        for (const auto& [name, window] :
+             {std::pair("phi_window", result.phi_window), std::pair("height_window", result.height_window)}) {
+            const double voxels = window * n;
+            if (voxels * narrowest < 1 - fits_within)
+                config.fail("voxels_per_dp",
+                            fmt::format("{} is less than one voxel at {} per d_p; take more", name, n));
+            if (is_whole(voxels) || !config.has("voxels_per_dp")) continue;
+            config.fail("voxels_per_dp",
+                        fmt::format("{} is {:.6g} voxels at {} per d_p; choose a number that divides it into whole "
+                                    "voxels, or another {}",
+                                    name, voxels, n, name));
         }
         if (result.clearance / d * n < 1)
             config.fail("voxels_per_dp", fmt::format("h_b is less than one voxel at {} per d_p; take more", n));
-        const double voxels = ((result.x_end - result.x_begin) / d + result.phi_window + result.height_window) * n;
+        const double voxels = (length + result.phi_window + result.height_window) * n;
         if (voxels > 1e9 || result.y_period / d * n > 1e9)
             config.fail("voxels_per_dp", fmt::format("the region has too many voxels at {} per d_p; take fewer", n));
     }
@@ -192,9 +163,9 @@ void read_metrics(const Config& config, AnalysisConfig& result) {
     const double d = result.particle_diameter;
     result.crop_first = config.boolean_or("crop_first", false);
     result.contact_factor = config.number_or("contact_factor", 1.005, {.lower = 0, .upper = 10, .lower_open = true});
-    result.contact_mode = config.choice_or("contact_mode", Words{"dp", "radii"}, "dp") == "radii"
-                              ? ContactMode::radii
-                              : ContactMode::particle_diameter;
+    result.contact_mode = config.choice_or("contact_mode", Words{"dp", "radii"}, "radii") == "dp"
+                              ? ContactMode::particle_diameter
+                              : ContactMode::radii;
     result.grid = diameters_or(config, "grid", d, 1);
     result.phi_window = diameters_or(config, "phi_window", d, 3);
     result.height_window = diameters_or(config, "height_window", d, 1);
@@ -227,7 +198,10 @@ AnalysisConfig read_analysis_config(const Config& given, const SourceInfo& info)
     read_chambers(config, result);
     read_bootstrap(config, result);
     read_voxels(config, result);
-    read_region(config, info, result);
+    const double d = result.particle_diameter;
+    const Region region = read_region(config, info, {d, result.grid * d, result.phi_window * d});
+    result.x_begin = region.begin;
+    result.x_end = region.end;
     config.finish();
     check_cells(config, result);
     check_voxels(config, result);

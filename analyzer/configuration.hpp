@@ -29,10 +29,10 @@ struct AnalysisConfig {
     double y_min = 0, y_period = 0;  ///< periodic direction [m]
     bool crop_first = false;         ///< drop particles outside the region before anything else
     double contact_factor = 1.005;   ///< [-]
-    ContactMode contact_mode = ContactMode::particle_diameter;
-    double grid = 1;                 ///< side of a cell [d_p]
-    double phi_window = 3;           ///< side of the window of the packing density [d_p]
-    double height_window = 1;        ///< side of the square of the surface height [d_p]
+    ContactMode contact_mode = ContactMode::radii;
+    double grid = 1;                 ///< nominal side of a cell [d_p]
+    double phi_window = 3;           ///< nominal side of the window of the packing density [d_p]
+    double height_window = 1;        ///< nominal side of the window of the surface height [d_p]
     double density_threshold = 0.1;  ///< packing density below which a node belongs to a pore [-]
     WindowEdge phi_x_edge = WindowEdge::overhang;
     ChamberEdge chamber_x_edge = ChamberEdge::centre;

@@ -78,7 +78,7 @@ void add_pores(Study& study, const Analysis& analysis) {
         "  missed", "", 0, [=](const VoxelMetrics& v) { return static_cast<double>(errors_of(v).missed); }, count);
     study.add(
         "  spurious", "", 0, [=](const VoxelMetrics& v) { return static_cast<double>(errors_of(v).spurious); }, count);
-    study.add("chamber pores, median diameter", "d_p", median_of(exact),
+    study.add("chamber median diameter", "d_p", median_of(exact),
               [](const VoxelMetrics& v) { return median_of(chambers_of(v.chambers.sizes.sorted)); });
 }
 

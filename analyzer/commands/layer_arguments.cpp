@@ -1,11 +1,15 @@
 #include "analyzer/commands/layer_arguments.hpp"
 
+#include <algorithm>
+
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
 #include <tbb/global_control.h>
 
 #include "analyzer/commands/warnings.hpp"
 #include "analyzer/readers/frame.hpp"
 #include "analyzer/readers/reader.hpp"
+#include "common/error.hpp"
 
 namespace recoat {
 
@@ -29,15 +33,37 @@ Config load_config(const LayerArguments& arguments) {
     return Config::load(arguments.config, settings);
 }
 
+namespace {
+
+/// @throws InputError when a file has particles, but none of them lies in the region.
+void check_region(const PreparedLayer& prepared, const LayerArguments& arguments) {
+    const std::vector<char>& in_region = prepared.layer.in_region;
+    const std::vector<Vec3>& position = prepared.source.position;
+    if (position.empty() || std::ranges::find(in_region, 1) != in_region.end()) return;
+    const auto [low, high] = std::ranges::minmax(position, {}, &Vec3::x);
+    throw InputError(
+        fmt::format("{}: no particle has its centre in the region x = {:.9g} ... {:.9g} m; they lie between "
+                    "x = {:.9g} and {:.9g} m: give a region there (--region, x_range)",
+                    arguments.file, prepared.config.x_begin, prepared.config.x_end, low.x, high.x));
+}
+
+PreparedLayer prepared_from(Source source, const AnalysisConfig& config) {
+    lower_to_base(source, config.base);
+    Layer layer = make_layer(source, config);
+    return {std::move(layer), config, std::move(source)};
+}
+
+}  // namespace
+
 PreparedLayer prepare_layer(const LayerArguments& arguments) {
     const Config config = load_config(arguments);
     Source source = read_particles(arguments.file, read_options(arguments.read, read_column_names(config)));
     Warnings().show(source);
     complete_frame(source);
-    AnalysisConfig resolved = read_analysis_config(config, source.info);
-    lower_to_base(source, resolved.base);
-    Layer layer = make_layer(source, resolved);
-    return {std::move(layer), std::move(resolved), std::move(source)};
+    const AnalysisConfig resolved = read_analysis_config(config, source.info);
+    PreparedLayer prepared = prepared_from(std::move(source), resolved);
+    check_region(prepared, arguments);
+    return prepared;
 }
 
 void for_each_step(const LayerArguments& arguments,
@@ -51,13 +77,12 @@ void for_each_step(const LayerArguments& arguments,
     Source last = recording.read(steps - 1);
     complete_frame(last);
     const AnalysisConfig resolved = read_analysis_config(config, last.info);
+    check_region(prepared_from(std::move(last), resolved), arguments);
     Warnings warnings;
     for (std::size_t index = 0; index < steps; ++index) {
         Source source = recording.read(index);
         warnings.show(source);
-        lower_to_base(source, resolved.base);
-        Layer layer = make_layer(source, resolved);
-        take(recording.steps()[index], {std::move(layer), resolved, std::move(source)});
+        take(recording.steps()[index], prepared_from(std::move(source), resolved));
     }
 }
 

@@ -38,8 +38,8 @@ private:
         clusters_.of_particle[seed] = label;
         for (std::size_t next = 0; next < members_.size(); ++next) {
             const std::size_t i = members_[next];
-            for (const std::size_t j : graph_.neighbours(i)) {
-                const double y = unwrapped_y_[i] + nearest_image(layer_.y[j] - layer_.y[i], layer_.width);
+            for (const auto [j, turn] : graph_.neighbours(i)) {
+                const double y = unwrapped_y_[i] + (layer_.y[j] - layer_.y[i] + turn * layer_.width);
                 if (clusters_.of_particle[j] == unvisited) {
                     clusters_.of_particle[j] = label;
                     unwrapped_y_[j] = y;

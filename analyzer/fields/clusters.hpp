@@ -12,8 +12,9 @@ namespace recoat {
 /// One connected component of the contact graph.
 struct Cluster {
     std::size_t size = 0;
-    bool percolates = false;      ///< winds round the y period: two ways to a particle differ by a period
-    bool isotropic = false;       ///< no direction stands out in the top view (square, triangle, upright doublet)
+    bool percolates = false;  ///< winds round the y period: two ways to a particle differ by a period, be it one that
+                              ///< touches its own image
+    bool isotropic = false;   ///< no direction stands out in the top view (square, triangle, upright doublet)
     std::optional<double> angle;  ///< of the long axis to the spreading direction, in [0, 90] [deg]
 };
 

@@ -36,9 +36,7 @@ Layer make_layer(const Source& source, const AnalysisConfig& config) {
     layer.length = (config.x_end - config.x_begin) / d;
     layer.width = config.y_period / d;
     layer.clearance = config.clearance / d;
-    layer.grid = {.nx = static_cast<int>(std::lround(layer.length / config.grid)),
-                  .ny = static_cast<int>(std::lround(layer.width / config.grid)),
-                  .spacing = config.grid};
+    layer.grid = Grid::over(layer.length, layer.width, config.grid);
     for (std::size_t i = 0; i < source.position.size(); ++i) {
         const Vec3 p = source.position[i];
         const double x = (p.x - config.x_begin) / d;

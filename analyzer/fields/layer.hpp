@@ -4,18 +4,11 @@
 #include <vector>
 
 #include "analyzer/configuration.hpp"
+#include "analyzer/fields/grid.hpp"
+#include "analyzer/fields/voxel_lattice.hpp"
 #include "analyzer/readers/source.hpp"
 
 namespace recoat {
-
-/// Cells of the analysis over the region; the nodes are their centres.
-struct Grid {
-    int nx = 0, ny = 0;  ///< number of cells along x and y
-    double spacing = 1;  ///< side of a cell [d_p]
-
-    [[nodiscard]] double node(int index) const { return (index + 0.5) * spacing; }
-    [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(nx) * ny; }
-};
 
 /// A layer in particle diameters: x from the start of the region, y wrapped into [0, width) from y_min, z from the
 /// base. Particles keep the order of the file.
@@ -28,6 +21,7 @@ struct Layer {
     Grid grid;
 
     [[nodiscard]] std::size_t size() const { return x.size(); }
+    [[nodiscard]] VoxelLattice voxels(int per_dp) const { return {length, width, per_dp}; }
 };
 
 /// Brings the particles of a file into the frame of the analysis.

@@ -57,9 +57,9 @@ void measure_row(std::uint32_t* row, std::int64_t columns) {
 
 }  // namespace
 
-PixelRaster::PixelRaster(const Layer& layer, int pixels_per_dp, double margin)
+PixelRaster::PixelRaster(const Layer& layer, double per_dp, double margin)
     : layer_(layer),
-      n_(pixels_per_dp),
+      n_(per_dp),
       first_row_(-static_cast<std::int64_t>(std::ceil(margin * n_))),
       rows_(static_cast<std::int64_t>(std::ceil((layer.length + margin) * n_)) - first_row_),
       columns_(std::llround(layer.width * n_)),

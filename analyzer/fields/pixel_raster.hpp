@@ -8,12 +8,13 @@
 
 namespace recoat {
 
-/// The top view in pixels of side d_p / pixels_per_dp, aligned with the region and the period: rows along x, over the
-/// region and `margin` [d_p] beyond its ends, and columns along y over one period. A pixel is solid where its centre is
-/// in a disk. Nothing is stored but the disks by rows; rows are drawn when they are asked for.
+/// The top view in square pixels, `per_dp` along one d_p, of which a whole number must fit into the period; aligned
+/// with the region and the period: rows along x, over the region and `margin` [d_p] beyond its ends, and columns along
+/// y over one period. A pixel is solid where its centre is in a disk. Nothing is stored but the disks by rows; rows are
+/// drawn when they are asked for.
 class PixelRaster {
 public:
-    PixelRaster(const Layer& layer, int pixels_per_dp, double margin);
+    PixelRaster(const Layer& layer, double per_dp, double margin);
 
     [[nodiscard]] std::int64_t rows() const { return rows_; }
     [[nodiscard]] std::int64_t columns() const { return columns_; }

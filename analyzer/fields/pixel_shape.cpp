@@ -22,7 +22,7 @@ using Polygon = CGAL::Polygon_2<Kernel>;
 /// Half the difference of the principal moments must exceed this share of their mean for an axis to stand out.
 constexpr double smallest_anisotropy = 1e-6;
 
-void set_moments(std::span<const GridCell> cells, PixelShape& shape) {
+void set_moments(std::span<const GridCell> cells, Sides side, PixelShape& shape) {
     const auto count = static_cast<double>(cells.size());
     double mean_x = 0, mean_y = 0;
     for (const GridCell cell : cells) {
@@ -30,9 +30,9 @@ void set_moments(std::span<const GridCell> cells, PixelShape& shape) {
         mean_y += cell.iy / count;
     }
     constexpr double own = 1.0 / 12;
-    double xx = own, yy = own, xy = 0;
+    double xx = own * side.x * side.x, yy = own * side.y * side.y, xy = 0;
     for (const GridCell cell : cells) {
-        const double x = cell.ix - mean_x, y = cell.iy - mean_y;
+        const double x = (cell.ix - mean_x) * side.x, y = (cell.iy - mean_y) * side.y;
         xx += x * x / count;
         yy += y * y / count;
         xy += x * y / count;
@@ -43,7 +43,7 @@ void set_moments(std::span<const GridCell> cells, PixelShape& shape) {
     shape.angle = std::abs(0.5 * std::atan2(2 * xy, xx - yy)) * 180 / std::numbers::pi;
 }
 
-/// Corners of the first and the last square of every column: all that the hull can touch.
+/// Corners of the first and the last cell of every column: all that the hull can touch. In cells, hence exact.
 std::vector<Point> outer_corners(std::span<const GridCell> cells, int first, int last) {
     std::vector<std::pair<int, int>> ends(static_cast<std::size_t>(last - first) + 1, {1, 0});
     for (const GridCell cell : cells) {
@@ -66,9 +66,12 @@ std::vector<Point> outer_corners(std::span<const GridCell> cells, int first, int
 
 double distance(const Point& a, const Point& b) { return std::sqrt(CGAL::squared_distance(a, b)); }
 
-void set_hull(const std::vector<Point>& corners, PixelShape& shape) {
+void set_hull(const std::vector<Point>& corners, Sides side, PixelShape& shape) {
+    std::vector<Point> round_cells;
+    CGAL::convex_hull_2(corners.begin(), corners.end(), std::back_inserter(round_cells));
+    // Stretching along an axis keeps a hull a hull.
     Polygon hull;
-    CGAL::convex_hull_2(corners.begin(), corners.end(), std::back_inserter(hull));
+    for (const Point& corner : round_cells) hull.push_back(Point(corner.x() * side.x, corner.y() * side.y));
     shape.hull_area = hull.area();
     for (auto edge = hull.edges_begin(); edge != hull.edges_end(); ++edge) {
         shape.hull_perimeter += distance(edge->source(), edge->target());
@@ -82,14 +85,14 @@ void set_hull(const std::vector<Point>& corners, PixelShape& shape) {
 
 }  // namespace
 
-PixelShape pixel_shape(std::span<const GridCell> cells) {
+PixelShape pixel_shape(std::span<const GridCell> cells, Sides cell) {
     PixelShape shape;
-    set_moments(cells, shape);
+    set_moments(cells, cell, shape);
     const auto [left, right] = std::ranges::minmax(cells, {}, &GridCell::ix);
     const auto [bottom, top] = std::ranges::minmax(cells, {}, &GridCell::iy);
-    shape.extent_x = right.ix - left.ix + 1;
-    shape.extent_y = top.iy - bottom.iy + 1;
-    set_hull(outer_corners(cells, left.ix, right.ix), shape);
+    shape.extent_x = (right.ix - left.ix + 1) * cell.x;
+    shape.extent_y = (top.iy - bottom.iy + 1) * cell.y;
+    set_hull(outer_corners(cells, left.ix, right.ix), cell, shape);
     return shape;
 }
 

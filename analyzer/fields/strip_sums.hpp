@@ -8,13 +8,15 @@ namespace recoat {
 
 /// The strips of a window size over a layer, along x and, periodic, along y.
 struct StripLattice {
-    WindowStrips strips;
+    WindowStrips x, y;
     int nx, ny;  ///< number of strips along x that windows cover, and along y in a period
 
+    /// @param window nominal side [d_p]
     StripLattice(const Grid& grid, double window)
-        : strips(grid.spacing, window),
-          nx(strips.first(grid.nx - 1) + strips.per_window()),
-          ny(grid.ny * strips.per_spacing()) {}
+        : x(grid.spacing, window, grid.stretch_x),
+          y(grid.spacing, window, grid.stretch_y),
+          nx(x.first(grid.nx - 1) + x.per_window()),
+          ny(grid.ny * y.per_spacing()) {}
 
     /// Strip number along y brought into the period.
     [[nodiscard]] int wrap_y(int strip) const { return ((strip % ny) + ny) % ny; }
@@ -24,19 +26,19 @@ struct StripLattice {
 /// 0, along y first, in ascending order.
 template <class Combine>
 Map over_windows(const Map& cells, const StripLattice& lattice, const Grid& grid, Combine combine) {
-    const int run = lattice.strips.per_window();
+    const int run = lattice.x.per_window();
     Map along_y(0, cells.nx, grid.ny);
     for (int i = 0; i < cells.nx; ++i) {
         for (int iy = 0; iy < grid.ny; ++iy) {
             double value = 0;
-            const int first = lattice.strips.first(iy);
+            const int first = lattice.y.first(iy);
             for (int k = 0; k < run; ++k) value = combine(value, cells.at(i, lattice.wrap_y(first + k)));
             along_y.at(i, iy) = value;
         }
     }
     Map result(0, grid.nx, grid.ny);
     for (int ix = 0; ix < grid.nx; ++ix) {
-        const int first = lattice.strips.first(ix);
+        const int first = lattice.x.first(ix);
         for (int k = 0; k < run; ++k) {
             for (int iy = 0; iy < grid.ny; ++iy) {
                 result.at(ix, iy) = combine(result.at(ix, iy), along_y.at(first + k, iy));

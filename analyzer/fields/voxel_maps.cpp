@@ -22,17 +22,31 @@ struct VoxelStrips {
     std::vector<int> x, y;
     int i_begin;
 
-    VoxelStrips(const StripLattice& lattice, int n, int first, int last, int period, double tolerance)
-        : x(last - first), y(period), i_begin(first) {
+    VoxelStrips(const StripLattice& lattice, const VoxelLattice& voxels, int first, int last, double tolerance)
+        : x(last - first), y(voxels.columns), i_begin(first) {
         for (int i = first; i < last; ++i) {
-            const int strip = lattice.strips.strip_of((i + 0.5) / n, tolerance);
+            const int strip = lattice.x.strip_of((i + 0.5) / voxels.per_x, tolerance);
             x[i - first] = strip >= 0 && strip < lattice.nx ? strip : -1;
         }
-        for (int j = 0; j < period; ++j) {
-            y[j] = lattice.wrap_y(lattice.strips.strip_of((j + 0.5) / n, tolerance));
+        for (std::size_t j = 0; j < y.size(); ++j) {
+            y[j] = lattice.wrap_y(lattice.y.strip_of((static_cast<double>(j) + 0.5) / voxels.per_y, tolerance));
         }
     }
 };
+
+/// Voxels of every strip cell seen from above.
+Map voxel_counts(const StripLattice& lattice, const VoxelStrips& strips) {
+    std::vector<int> along_x(lattice.nx, 0), along_y(lattice.ny, 0);
+    for (const int strip : strips.x) {
+        if (strip >= 0) ++along_x[strip];
+    }
+    for (const int strip : strips.y) ++along_y[strip];
+    Map counts(0, lattice.nx, lattice.ny);
+    for (int i = 0; i < lattice.nx; ++i) {
+        for (int j = 0; j < lattice.ny; ++j) counts.at(i, j) = static_cast<double>(along_x[i]) * along_y[j];
+    }
+    return counts;
+}
 
 /// A table that threads add whole numbers to, or raise: the result does not depend on the order.
 class SharedTable {
@@ -129,25 +143,24 @@ private:
 };
 
 /// Voxel centres in [0, extent) on a line, an edge counting as above.
-int voxels_in(double extent, int n, double tolerance) {
-    return static_cast<int>(std::ceil((extent - tolerance) * n - 0.5));
+int voxels_in(double extent, double per_dp, double tolerance) {
+    return static_cast<int>(std::ceil((extent - tolerance) * per_dp - 0.5));
 }
 
 }  // namespace
 
 VoxelMaps voxel_maps(const Layer& layer, const AnalysisConfig& config, int voxels_per_dp) {
-    const int n = voxels_per_dp;
+    const VoxelLattice voxels = layer.voxels(voxels_per_dp);
     const StripLattice phi_lattice(layer.grid, config.phi_window), height_lattice(layer.grid, config.height_window);
-    const double overhang =
-        std::max({0.0, 0.5 * (config.phi_window - config.grid), 0.5 * (config.height_window - config.grid)});
-    const int i_begin = static_cast<int>(std::floor(-overhang * n)),
-              period = static_cast<int>(std::lround(layer.width * n));
-    const int i_end = static_cast<int>(std::ceil((layer.length + overhang) * n));
-    const VoxelStrips phi_strips(phi_lattice, n, i_begin, i_end, period, config.bin_tol);
-    const VoxelStrips height_strips(height_lattice, n, i_begin, i_end, period, config.bin_tol);
+    const double widest = layer.grid.stretched(std::max(config.phi_window, config.height_window)).x;
+    const double overhang = std::max(0.0, 0.5 * (widest - layer.grid.cell().x));
+    const int i_begin = static_cast<int>(std::floor(-overhang * voxels.per_x));
+    const int i_end = static_cast<int>(std::ceil((layer.length + overhang) * voxels.per_x));
+    const VoxelStrips phi_strips(phi_lattice, voxels, i_begin, i_end, config.bin_tol);
+    const VoxelStrips height_strips(height_lattice, voxels, i_begin, i_end, config.bin_tol);
     SharedTable counts(phi_lattice), tops(height_lattice);
-    const int layers = voxels_in(layer.clearance, n, config.bin_tol);
-    visit_voxel_slabs(layer, n, i_begin, i_end, [&](const openvdb::MaskTree& mask) {
+    const int layers = voxels_in(layer.clearance, voxels.per_z, config.bin_tol);
+    visit_voxel_slabs(layer, voxels, i_begin, i_end, [&](const openvdb::MaskTree& mask) {
         LeafReader for_phi(phi_strips), for_height(height_strips);
         for (auto leaf = mask.cbeginLeaf(); leaf; ++leaf) {
             for_phi.count(*leaf, layers, counts);
@@ -156,12 +169,14 @@ VoxelMaps voxel_maps(const Layer& layer, const AnalysisConfig& config, int voxel
     });
 
     const NodeRange nodes = packing_nodes(layer.grid, config.phi_window, config.phi_x_edge);
-    VoxelMaps maps{
-        rows_of(over_windows(counts.to_map(), phi_lattice, layer.grid, std::plus<>{}), nodes.first, nodes.count),
-        over_windows(tops.to_map(), height_lattice, layer.grid, [](double a, double b) { return std::max(a, b); })};
-    const double columns = config.phi_window * n;
-    for (double& value : maps.phi.values) value /= columns * columns * layers;
-    for (double& value : maps.height.values) value /= n;
+    const auto over_phi_windows = [&](const Map& cells) {
+        return rows_of(over_windows(cells, phi_lattice, layer.grid, std::plus<>{}), nodes.first, nodes.count);
+    };
+    VoxelMaps maps{over_phi_windows(counts.to_map()), over_windows(tops.to_map(), height_lattice, layer.grid,
+                                                                   [](double a, double b) { return std::max(a, b); })};
+    const Map all = over_phi_windows(voxel_counts(phi_lattice, phi_strips));
+    for (std::size_t k = 0; k < all.values.size(); ++k) maps.phi.values[k] /= all.values[k] * layers;
+    for (double& value : maps.height.values) value /= voxels.per_z;
     return maps;
 }
 

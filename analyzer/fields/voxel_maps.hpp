@@ -12,7 +12,8 @@ struct VoxelMaps {
     Map height;  ///< top face of the highest solid voxel with its centre over the square [d_p]
 };
 
-/// Voxels of side d_p / voxels_per_dp, aligned with the region, the period and the base.
+/// Voxels as Layer::voxels() lays them. Where they do not fit the windows, windows of one size hold different numbers
+/// of voxels; each density divides by that of its own.
 [[nodiscard]] VoxelMaps voxel_maps(const Layer& layer, const AnalysisConfig& config, int voxels_per_dp);
 
 }  // namespace recoat

@@ -29,9 +29,9 @@ struct ColumnSpans {
 int floor_to_leaf(int index) { return index & ~(leaf_side - 1); }
 
 /// Voxel centres in [low, high] as a range of indices, clipped to [begin, end).
-RowRange voxels_between(double low, double high, int n, int begin, int end) {
-    return {std::max(static_cast<int>(std::ceil(low * n - 0.5)), begin),
-            std::min(static_cast<int>(std::floor(high * n - 0.5)), end - 1)};
+RowRange voxels_between(double low, double high, double per_dp, int begin, int end) {
+    return {std::max(static_cast<int>(std::ceil(low * per_dp - 0.5)), begin),
+            std::min(static_cast<int>(std::floor(high * per_dp - 0.5)), end - 1)};
 }
 
 /// One sphere, at one of its images along y.
@@ -42,7 +42,7 @@ struct Ball {
 /// Turns on the voxels of a sphere within a box of the grid, leaf by leaf.
 class Rasteriser {
 public:
-    Rasteriser(openvdb::MaskTree& tree, int n) : accessor_(tree), n_(n) {}
+    Rasteriser(openvdb::MaskTree& tree, const VoxelLattice& voxels) : accessor_(tree), voxels_(voxels) {}
 
     void add(const Ball& ball, RowRange i, RowRange j) {
         for (int i_leaf = floor_to_leaf(i.first); i_leaf <= i.last; i_leaf += leaf_side) {
@@ -94,12 +94,13 @@ private:
     /// Spans of a row of columns; without a branch, so that all are computed at once.
     void set_spans(const Ball& ball, int i, RowRange j, int j_leaf, ColumnSpans& spans, int column) const {
         constexpr double beyond = std::numeric_limits<int>::max();
-        const double dx = (i + 0.5) / n_ - ball.x, left = ball.radius * ball.radius - dx * dx, n = n_;
+        const double dx = (i + 0.5) / voxels_.per_x - ball.x, left = ball.radius * ball.radius - dx * dx;
+        const double per_y = voxels_.per_y, n = voxels_.per_z;
         const double j_first = j.first, j_last = j.last;
         int* firsts = spans.first.data() + column;
         int* ends = spans.end.data() + column;
         for (int b = 0; b < leaf_side; ++b) {
-            const double here = j_leaf + b, dy = (here + 0.5) / n - ball.y, square = left - dy * dy;
+            const double here = j_leaf + b, dy = (here + 0.5) / per_y - ball.y, square = left - dy * dy;
             const double half = std::sqrt(std::abs(square));
             const double first = std::ceil((ball.z - half) * n - 0.5), end = std::floor((ball.z + half) * n - 0.5) + 1;
             const double from = first > 0 ? first : 0;
@@ -110,18 +111,18 @@ private:
     }
 
     openvdb::tree::ValueAccessor<openvdb::MaskTree> accessor_;
-    int n_;
+    VoxelLattice voxels_;
 };
 
 /// Adds the images of sphere `p` that reach into the period, within the voxels `slab` along x.
-void add_sphere(Rasteriser& rasteriser, const Layer& layer, std::size_t p, int n, RowRange slab) {
+void add_sphere(Rasteriser& rasteriser, const Layer& layer, std::size_t p, const VoxelLattice& voxels, RowRange slab) {
     const double r = layer.radius[p];
-    const int period = static_cast<int>(std::lround(layer.width * n));
-    const RowRange i = voxels_between(layer.x[p] - r, layer.x[p] + r, n, slab.first, slab.last + 1);
+    const int period = static_cast<int>(voxels.columns);
+    const RowRange i = voxels_between(layer.x[p] - r, layer.x[p] + r, voxels.per_x, slab.first, slab.last + 1);
     const int turns = static_cast<int>(std::ceil(r / layer.width));
     for (int turn = -turns; turn <= turns; ++turn) {
         const double y = layer.y[p] + turn * layer.width;
-        const RowRange j = voxels_between(y - r, y + r, n, 0, period);
+        const RowRange j = voxels_between(y - r, y + r, voxels.per_y, 0, period);
         if (i.first <= i.last && j.first <= j.last) rasteriser.add({layer.x[p], y, layer.z[p], r}, i, j);
     }
 }
@@ -129,9 +130,9 @@ void add_sphere(Rasteriser& rasteriser, const Layer& layer, std::size_t p, int n
 /// The rows of voxels along x, cut into slabs, and the spheres that reach into each.
 class Slabs {
 public:
-    Slabs(const Layer& layer, int n, int i_begin, int i_end)
+    Slabs(const Layer& layer, const VoxelLattice& voxels, int i_begin, int i_end)
         : layer_(layer),
-          n_(n),
+          voxels_(voxels),
           i_begin_(i_begin),
           i_end_(i_end),
           first_(slab_of(i_begin)),
@@ -142,10 +143,10 @@ public:
 
     /// Turns on the voxels of a slab.
     void draw(int slab, openvdb::MaskTree& tree) const {
-        Rasteriser rasteriser(tree, n_);
+        Rasteriser rasteriser(tree, voxels_);
         const int begin = (first_ + slab) * slab_side;
         const RowRange rows = {std::max(begin, i_begin_), std::min(begin + slab_side, i_end_) - 1};
-        for (const std::size_t p : lists_.items(slab)) add_sphere(rasteriser, layer_, p, n_, rows);
+        for (const std::size_t p : lists_.items(slab)) add_sphere(rasteriser, layer_, p, voxels_, rows);
     }
 
 private:
@@ -155,21 +156,22 @@ private:
         std::vector<RowRange> result(layer_.size());
         for (std::size_t p = 0; p < layer_.size(); ++p) {
             const double x = layer_.x[p], r = layer_.radius[p];
-            const RowRange i = voxels_between(x - r, x + r, n_, i_begin_, i_end_);
+            const RowRange i = voxels_between(x - r, x + r, voxels_.per_x, i_begin_, i_end_);
             if (i.first <= i.last) result[p] = {slab_of(i.first) - first_, slab_of(i.last) - first_};
         }
         return result;
     }
 
     const Layer& layer_;
-    int n_, i_begin_, i_end_, first_, count_;
+    VoxelLattice voxels_;
+    int i_begin_, i_end_, first_, count_;
     RowLists lists_;
 };
 
 }  // namespace
 
-openvdb::MaskTree voxel_mask(const Layer& layer, int voxels_per_dp, int i_begin, int i_end) {
-    const Slabs slabs(layer, voxels_per_dp, i_begin, i_end);
+openvdb::MaskTree voxel_mask(const Layer& layer, const VoxelLattice& voxels, int i_begin, int i_end) {
+    const Slabs slabs(layer, voxels, i_begin, i_end);
     std::vector<openvdb::MaskTree> trees(static_cast<std::size_t>(slabs.count()));
     for_each_in_parallel(slabs.count(), [&](int s) { slabs.draw(s, trees[static_cast<std::size_t>(s)]); });
     openvdb::MaskTree whole;
@@ -177,9 +179,9 @@ openvdb::MaskTree voxel_mask(const Layer& layer, int voxels_per_dp, int i_begin,
     return whole;
 }
 
-void visit_voxel_slabs(const Layer& layer, int voxels_per_dp, int i_begin, int i_end,
+void visit_voxel_slabs(const Layer& layer, const VoxelLattice& voxels, int i_begin, int i_end,
                        const std::function<void(const openvdb::MaskTree&)>& visit) {
-    const Slabs slabs(layer, voxels_per_dp, i_begin, i_end);
+    const Slabs slabs(layer, voxels, i_begin, i_end);
     for_each_in_parallel(slabs.count(), [&](int s) {
         openvdb::MaskTree tree;
         slabs.draw(s, tree);

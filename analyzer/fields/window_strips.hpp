@@ -11,7 +11,9 @@ namespace recoat {
 /// and go on without end to both sides; the caller drops or wraps what lies outside.
 class WindowStrips {
 public:
-    WindowStrips(double spacing, double window) : spacing_(spacing), origin_(0.5 * (spacing - window)) {
+    /// @param spacing, window nominal sides [d_p], both `stretch` times as long in truth
+    WindowStrips(double spacing, double window, double stretch)
+        : spacing_(spacing * stretch), origin_(0.5 * (spacing - window) * stretch) {
         const double spacings = window / spacing;
         const double whole = std::floor(spacings + alignment);
         const double rest = spacings - whole;

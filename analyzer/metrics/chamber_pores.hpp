@@ -28,6 +28,14 @@ struct ChamberPoreMetrics {
     std::size_t n_beyond_data = 0;           ///< of rule A, those that reach past the outermost centres along x
 };
 
+/// Smallest diameter of a chamber [d_p]: the circles between disks that touch or coincide but for round-off, and for
+/// the digits of a file, are far below, and the hole between three touching spheres, 0.155 of their diameter, is far
+/// above.
+inline constexpr double smallest_chamber = 1e-3;
+
+/// Whether a circle is a chamber of the region: large enough, and with its centre, or all of it, between the x ends.
+[[nodiscard]] bool is_chamber(const Circle& circle, const Layer& layer, const AnalysisConfig& config);
+
 [[nodiscard]] ChamberPoreMetrics chamber_pore_metrics(const Layer& layer, const AnalysisConfig& config);
 
 }  // namespace recoat

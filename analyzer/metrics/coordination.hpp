@@ -7,7 +7,8 @@
 
 namespace recoat {
 
-/// Contacts with other particles. Counts, fractions and the mean are over the particles of the region.
+/// Contacts with particles, images along y among them. Counts, fractions and the mean are over the particles of the
+/// region.
 struct CoordinationMetrics {
     std::size_t n_particles = 0;         ///< in the region
     std::size_t n_contacts = 0;          ///< pairs of the whole file

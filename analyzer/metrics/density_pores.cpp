@@ -7,31 +7,23 @@
 namespace recoat {
 namespace {
 
-/// Lengths of a shape from sides of cells to d_p.
-PixelShape scaled(PixelShape shape, double spacing) {
-    shape.hull_area *= spacing * spacing;
-    for (double* length :
-         {&shape.hull_perimeter, &shape.rect_long, &shape.rect_short, &shape.extent_x, &shape.extent_y})
-        *length *= spacing;
-    return shape;
-}
-
 DensityPore measure(const GridPore& found, const Map& phi, const Grid& grid) {
     DensityPore pore;
     pore.cells = found.cells.size();
     pore.percolates = found.percolates;
-    pore.diameter = std::sqrt(4 * pore.area(grid.spacing) / std::numbers::pi);
+    pore.area = static_cast<double>(pore.cells) * grid.cell().area();
+    pore.diameter = std::sqrt(4 * pore.area / std::numbers::pi);
     double x = 0, y = 0;
     for (const GridCell cell : found.cells) {
-        x += grid.node(phi.first_x + cell.ix);
-        y += grid.node(cell.iy);
+        x += grid.node_x(phi.first_x + cell.ix);
+        y += grid.node_y(cell.iy);
         pore.touches_x_edge |= cell.ix == 0 || cell.ix == phi.nx - 1;
     }
-    const double period = phi.ny * grid.spacing;
+    const double period = phi.ny * grid.cell().y;
     pore.x = x / static_cast<double>(pore.cells);
     pore.y = y / static_cast<double>(pore.cells);
     pore.y -= period * std::floor(pore.y / period);
-    if (!pore.percolates) pore.shape = scaled(pixel_shape(found.cells), grid.spacing);
+    if (!pore.percolates) pore.shape = pixel_shape(found.cells, grid.cell());
     return pore;
 }
 

@@ -16,13 +16,12 @@ namespace recoat {
 /// One connected set of nodes of low packing density. Lengths in d_p.
 struct DensityPore {
     std::size_t cells = 0;
+    double area = 0;              ///< of the cells
     double diameter = 0;          ///< of the circle of the same area
     bool percolates = false;      ///< winds round the y period
     bool touches_x_edge = false;  ///< has a cell in the first or the last row of the map
     double x = 0, y = 0;  ///< mean of the unwrapped cells, from the start of the region and y_min; y in one period
     std::optional<PixelShape> shape;  ///< none for a pore that percolates
-
-    [[nodiscard]] double area(double spacing) const { return static_cast<double>(cells) * spacing * spacing; }
 };
 
 /// Size, number and direction of the density pores of a layer [paper section 5.4].

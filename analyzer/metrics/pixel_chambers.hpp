@@ -16,7 +16,8 @@ struct PixelChambers {
 };
 
 /// The pixel form of the chamber pores by rule P: h-maxima, by chamber_persistence, of the distance transform of the
-/// top view; size = twice the distance from pixel centre to solid pixel centre [d_p].
+/// top view in square pixels of the side of the voxels along y; size = twice the distance from pixel centre to solid
+/// pixel centre [d_p].
 [[nodiscard]] PixelChambers pixel_chambers(const Layer& layer, const AnalysisConfig& config, int pixels_per_dp);
 
 }  // namespace recoat

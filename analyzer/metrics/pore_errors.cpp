@@ -92,14 +92,14 @@ PoreErrors chamber_errors(const std::vector<Circle>& exact, const std::vector<Ci
     return summary(differences, exact.size(), pixels.size());
 }
 
-PoreErrors density_pore_errors(const Map& exact, const Map& voxels, double threshold, double spacing) {
+PoreErrors density_pore_errors(const Map& exact, const Map& voxels, double threshold, double cell_area) {
     if (exact.values.size() != voxels.values.size()) throw std::invalid_argument("maps of different size compared");
     const std::vector<GridPore> pores = grid_pores(exact, threshold, GridConnectivity::sides_and_corners);
     const std::vector<GridPore> others = grid_pores(voxels, threshold, GridConnectivity::sides_and_corners);
     const std::vector<std::size_t> partner = best_partners(pores, others, exact);
     const std::vector<std::size_t> partner_back = best_partners(others, pores, exact);
     const auto diameter = [&](const GridPore& pore) {
-        return spacing * std::sqrt(4 * static_cast<double>(pore.cells.size()) / std::numbers::pi);
+        return std::sqrt(4 * cell_area * static_cast<double>(pore.cells.size()) / std::numbers::pi);
     };
     std::vector<double> differences;
     for (std::size_t k = 0; k < pores.size(); ++k) {

@@ -28,6 +28,6 @@ struct PoreErrors {
 
 /// Pores of two maps of packing density, by 8 neighbours below `threshold`: partners are those of which each shares
 /// more cells with the other than with any other pore. Diameter: of the circle of the same area. Maps of one size.
-[[nodiscard]] PoreErrors density_pore_errors(const Map& exact, const Map& voxels, double threshold, double spacing);
+[[nodiscard]] PoreErrors density_pore_errors(const Map& exact, const Map& voxels, double threshold, double cell_area);
 
 }  // namespace recoat

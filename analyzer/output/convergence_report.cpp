@@ -1,6 +1,8 @@
 #include "analyzer/output/convergence_report.hpp"
 
 #include <cmath>
+#include <functional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -21,29 +23,55 @@ Json or_null(const std::optional<Value>& value) {
     return value ? Json(*value) : Json(nullptr);
 }
 
+constexpr std::size_t name_width = 31, exact_width = 9, terminal = 80;
+
+struct Column {
+    std::size_t width;
+    std::string head;
+    std::function<std::string(const ConvergenceQuantity&)> cell;
+};
+
+/// One line per quantity: name, exact value and these columns.
+std::string rows(const Convergence& convergence, std::span<const Column> columns) {
+    std::string text = fmt::format("{:<{}}{:>{}}", "voxel minus exact", name_width, "exact", exact_width);
+    for (const Column& column : columns) text += fmt::format("{:>{}}", column.head, column.width);
+    for (const ConvergenceQuantity& quantity : convergence.quantities) {
+        const std::string what =
+            quantity.unit.empty() ? quantity.name : fmt::format("{} [{}]", quantity.name, quantity.unit);
+        text += fmt::format("\n{:<{}}{:>{}.4g}", what, name_width, quantity.exact, exact_width);
+        for (const Column& column : columns) text += fmt::format("{:>{}}", column.cell(quantity), column.width);
+    }
+    return text + "\n";
+}
+
 Json finite(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
 
 }  // namespace
 
 std::string convergence_text(const Convergence& convergence) {
-    std::string text = fmt::format("{:<36}{:>10}", "voxel minus exact", "exact");
-    for (const int n : convergence.voxels_per_dp) text += fmt::format("{:>11}", fmt::format("n = {}", n));
-    text += fmt::format("{:>8}{:>9}\n", "order", "enough");
-    for (const ConvergenceQuantity& quantity : convergence.quantities) {
-        const std::string what =
-            quantity.unit.empty() ? quantity.name : fmt::format("{} [{}]", quantity.name, quantity.unit);
-        text += fmt::format("{:<36}{:>10.5g}", what, quantity.exact);
-        for (std::size_t k = 0; k < quantity.voxel.size(); ++k) text += fmt::format("{:>+11.2e}", quantity.error(k));
-        text += fmt::format("{:>8}{:>9}\n", quantity.order ? fmt::format("{:.2f}", *quantity.order) : "-",
-                            verdict(quantity));
+    std::vector<Column> columns;
+    for (std::size_t k = 0; k < convergence.voxels_per_dp.size(); ++k) {
+        columns.push_back({10, fmt::format("n = {}", convergence.voxels_per_dp[k]),
+                           [k](const ConvergenceQuantity& q) { return fmt::format("{:+.1e}", q.error(k)); }});
     }
-    const std::string aim = fmt::format("errors within {:.3g} % of the exact values", 100 * convergence.tolerance);
+    columns.push_back({8, "order", [](const ConvergenceQuantity& q) {
+                           return q.order ? fmt::format("{:.2f}", *q.order) : std::string("-");
+                       }});
+    columns.push_back({9, "enough", verdict});
+    std::string text;
+    for (std::size_t first = 0; first < columns.size();) {
+        std::size_t end = first, width = name_width + exact_width;
+        while (end < columns.size() && width + columns[end].width <= terminal) width += columns[end++].width;
+        text += rows(convergence, std::span(columns).subspan(first, end - first)) + "\n";
+        first = end;
+    }
     const auto enough = convergence.enough();
-    text += enough ? fmt::format("n = {} is enough for {} in every row\n", *enough, aim)
+    const double share = 100 * convergence.tolerance;
+    text += enough ? fmt::format("n = {} keeps every row within {:.3g} % of its exact value\n", *enough, share)
                    : fmt::format(
-                         "none of these n is enough for {} in every row; in brackets: where the order would "
-                         "reach it\n",
-                         aim);
+                         "none of these n keeps every row within {:.3g} % of its exact value;\n"
+                         "in brackets: where the order would reach it\n",
+                         share);
     return text;
 }
 

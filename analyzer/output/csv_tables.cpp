@@ -80,7 +80,7 @@ void write_maps(const std::filesystem::path& place, const Analysis& analysis, co
         const int row = ix - phi.first_x;
         const bool known = row >= 0 && row < phi.nx;
         for (int iy = 0; iy < grid.ny; ++iy) {
-            rows.push_back({cell(config.x_begin + d * grid.node(ix)), cell(config.y_min + d * grid.node(iy)),
+            rows.push_back({cell(config.x_begin + d * grid.node_x(ix)), cell(config.y_min + d * grid.node_y(iy)),
                             known ? cell(phi.at(row, iy)) : "", known ? cell(centre.at(row, iy)) : "",
                             cell(height.at(ix, iy))});
             for (const Map& numbers : pores) rows.back().push_back(known ? cell(numbers.at(row, iy)) : "");

@@ -39,6 +39,17 @@ void write_config(const hdf5::Group& group, const AnalysisConfig& config) {
         "d_p, h_b, base, x_range, y_min, y_period in m; density in kg/m3; angle_bin in deg; other lengths in d_p");
 }
 
+void write_grid(const DescribedGroup& group, const Grid& grid, const AnalysisConfig& config) {
+    const auto sides = [&](const std::string& name, double nominal, const std::string& what) {
+        const Sides side = grid.stretched(nominal);
+        group.column(name, "d_p", "true sides along x and y of " + what, {side.x, side.y});
+    };
+    group.column("cells", "1", "number of cells along x and y", std::vector<int>{grid.nx, grid.ny});
+    sides("cell", grid.spacing, "the cells, whose centres are the nodes");
+    sides("phi_window", config.phi_window, "the windows of the packing density");
+    sides("height_window", config.height_window, "the windows of the surface height");
+}
+
 void write_particles(const DescribedGroup& group, const Analysis& analysis, const AnalysisConfig& config) {
     const Layer& layer = analysis.layer;
     const double d = config.particle_diameter;
@@ -68,8 +79,8 @@ void write_axes(const DescribedGroup& group, const Map& map, const Grid& grid, c
                 const std::string& prefix) {
     const double d = config.particle_diameter;
     std::vector<double> x, y;
-    for (int ix = 0; ix < map.nx; ++ix) x.push_back(config.x_begin + d * grid.node(map.first_x + ix));
-    for (int iy = 0; iy < map.ny; ++iy) y.push_back(config.y_min + d * grid.node(iy));
+    for (int ix = 0; ix < map.nx; ++ix) x.push_back(config.x_begin + d * grid.node_x(map.first_x + ix));
+    for (int iy = 0; iy < map.ny; ++iy) y.push_back(config.y_min + d * grid.node_y(iy));
     group.column(prefix + "_x", "m", "node positions along x of the " + prefix + " maps", x);
     group.column(prefix + "_y", "m", "node positions along y of the " + prefix + " maps", y);
 }
@@ -77,11 +88,11 @@ void write_axes(const DescribedGroup& group, const Map& map, const Grid& grid, c
 void write_maps(const DescribedGroup& group, const Analysis& analysis, const AnalysisConfig& config) {
     write_axes(group, analysis.packing.exact, analysis.layer.grid, config, "phi");
     write_axes(group, analysis.height_map, analysis.layer.grid, config, "height");
-    group.map("phi_exact", "1", "packing density: exact solid volume over the window of side phi_window, 0 to h_b",
+    group.map("phi_exact", "1", "packing density: exact solid volume over the window of grid/phi_window, 0 to h_b",
               analysis.packing.exact);
     group.map("phi_centre", "1", "packing density: whole spheres with their centre in the window box",
               analysis.packing.centre);
-    group.map("height", "d_p", "highest point of any sphere over the square of side height_window; 0: none",
+    group.map("height", "d_p", "highest point of any sphere over the window of grid/height_window; 0: none",
               analysis.height_map);
     for (const DensityPoreMetrics& pores : analysis.density_pores) {
         const std::string neighbours = std::to_string(static_cast<int>(pores.connectivity));
@@ -179,9 +190,11 @@ void write_totals(const DescribedGroup& group, const TotalsMetrics& totals) {
     group.value("eq14_all", "1", "all spheres of the region over that box", totals.bed->all);
 }
 
-void write_voxel(const DescribedGroup& group, const VoxelMetrics& metrics) {
+void write_voxel(const DescribedGroup& group, const VoxelMetrics& metrics, const VoxelLattice& lattice) {
+    group.column("sides", "d_p", "true sides of a voxel along x, y and z",
+                 {1 / lattice.per_x, 1 / lattice.per_y, 1 / lattice.per_z});
     group.map("phi", "1", "packing density: solid share of the voxels of the window box", metrics.maps.phi);
-    group.map("height", "d_p", "top face of the highest solid voxel over the square", metrics.maps.height);
+    group.map("height", "d_p", "top face of the highest solid voxel over the window", metrics.maps.height);
     write_box_stats(group.group("phi_stats"), metrics.phi);
     write_height(group.group("height_stats"), metrics.height);
     group.value("phi_max_error", "1", "largest |voxel - exact| packing density of a node", metrics.phi_error.max);
@@ -200,6 +213,7 @@ void write_report_groups(const hdf5::Group& file, const Analysis& analysis, cons
                          const std::optional<Uncertainty>& uncertainty) {
     const auto group = [&](const std::string& name) { return DescribedGroup(file.create_group(name)); };
     write_config(file.create_group("config"), config);
+    write_grid(group("grid"), analysis.layer.grid, config);
     write_particles(group("particles"), analysis, config);
     write_maps(group("maps"), analysis, config);
     write_coordination(group("coordination"), analysis.coordination);
@@ -217,8 +231,10 @@ void write_report_groups(const hdf5::Group& file, const Analysis& analysis, cons
                             config);
     }
     const DescribedGroup voxel = group("voxel");
-    for (const VoxelMetrics& metrics : analysis.voxel)
-        write_voxel(voxel.group(std::to_string(metrics.voxels_per_dp)), metrics);
+    for (const VoxelMetrics& metrics : analysis.voxel) {
+        write_voxel(voxel.group(std::to_string(metrics.voxels_per_dp)), metrics,
+                    analysis.layer.voxels(metrics.voxels_per_dp));
+    }
     if (uncertainty) write_uncertainty(file.create_group("uncertainty"), *uncertainty);
 }
 

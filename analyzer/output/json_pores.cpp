@@ -7,7 +7,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json to_json(const DensityPore& pore, double spacing) {
+Json to_json(const DensityPore& pore) {
     Json json = {{"cells", pore.cells},
                  {"diameter", pore.diameter},
                  {"percolates", pore.percolates},
@@ -22,10 +22,10 @@ Json to_json(const DensityPore& pore, double spacing) {
     json["hull_perimeter"] = shape.hull_perimeter;
     json["min_rect"] = {shape.rect_long, shape.rect_short};
     json["bbox"] = {shape.extent_x, shape.extent_y};
-    json["solidity"] = pore.area(spacing) / shape.hull_area;
-    json["rectangularity"] = pore.area(spacing) / (shape.rect_long * shape.rect_short);
+    json["solidity"] = pore.area / shape.hull_area;
+    json["rectangularity"] = pore.area / (shape.rect_long * shape.rect_short);
     json["rect_aspect"] = shape.rect_long / shape.rect_short;
-    json["circularity"] = 4 * std::numbers::pi * pore.area(spacing) / (shape.hull_perimeter * shape.hull_perimeter);
+    json["circularity"] = 4 * std::numbers::pi * pore.area / (shape.hull_perimeter * shape.hull_perimeter);
     return json;
 }
 
@@ -53,7 +53,7 @@ Json json_pore_sizes(const PoreSizes& sizes) {
             {"sorted_sizes", sizes.sorted}};
 }
 
-Json json_density_pores(const std::vector<DensityPoreMetrics>& all, double spacing) {
+Json json_density_pores(const std::vector<DensityPoreMetrics>& all) {
     Json result = Json::object();
     for (const DensityPoreMetrics& metrics : all) {
         Json json = json_pore_sizes(metrics.sizes);
@@ -61,7 +61,7 @@ Json json_density_pores(const std::vector<DensityPoreMetrics>& all, double spaci
         json["angle_number_counts"] = metrics.angle_number_counts;
         json["angle_cell_counts"] = metrics.angle_cell_counts;
         json["pores"] = Json::array();
-        for (const DensityPore& pore : metrics.pores) json["pores"].push_back(to_json(pore, spacing));
+        for (const DensityPore& pore : metrics.pores) json["pores"].push_back(to_json(pore));
         result[std::to_string(static_cast<int>(metrics.connectivity))] = json;
     }
     return result;

@@ -102,11 +102,25 @@ Json to_json(const PoreErrors& errors) {
     return json;
 }
 
-Json to_json(const std::vector<VoxelMetrics>& voxel) {
+/// The true sides of cells and windows, along x and y.
+Json to_json(const Grid& grid, const AnalysisConfig& config) {
+    const auto sides = [&](double nominal) {
+        const Sides side = grid.stretched(nominal);
+        return Json({side.x, side.y});
+    };
+    return {{"cells", {grid.nx, grid.ny}},
+            {"cell", sides(grid.spacing)},
+            {"phi_window", sides(config.phi_window)},
+            {"height_window", sides(config.height_window)}};
+}
+
+Json voxels_to_json(const Analysis& analysis) {
     Json json = Json::object();
-    for (const VoxelMetrics& metrics : voxel) {
+    for (const VoxelMetrics& metrics : analysis.voxel) {
         const std::string key = std::to_string(metrics.voxels_per_dp);
-        json[key] = {{"phi", to_json(metrics.phi)},
+        const VoxelLattice lattice = analysis.layer.voxels(metrics.voxels_per_dp);
+        json[key] = {{"sides", {1 / lattice.per_x, 1 / lattice.per_y, 1 / lattice.per_z}},
+                     {"phi", to_json(metrics.phi)},
                      {"phi_max_error", metrics.phi_error.max},
                      {"phi_rms_error", metrics.phi_error.rms},
                      {"density_pore_cells_8", metrics.density_pore_cells},
@@ -196,6 +210,7 @@ Json json_report(const Analysis& analysis, const AnalysisConfig& config,
                  const std::optional<Uncertainty>& uncertainty) {
     Json report = {{"units", "lengths in d_p"},
                    {"config", json_config(config)},
+                   {"grid", to_json(analysis.layer.grid, config)},
                    {"clusters", clusters_to_json(analysis)},
                    {"vertical", to_json(analysis.vertical)},
                    {"phi_exact", to_json(analysis.phi_exact)},
@@ -203,8 +218,8 @@ Json json_report(const Analysis& analysis, const AnalysisConfig& config,
                    {"height", to_json(analysis.height)},
                    {"totals", to_json(analysis.totals)},
                    {"chamber_pores", json_chamber_pores(analysis.chamber_pores)},
-                   {"density_pores", json_density_pores(analysis.density_pores, config.grid)},
-                   {"voxel", to_json(analysis.voxel)},
+                   {"density_pores", json_density_pores(analysis.density_pores)},
+                   {"voxel", voxels_to_json(analysis)},
                    {"maps", maps_to_json(analysis, config)},
                    {"particles", particles_to_json(analysis)}};
     if (uncertainty) report["uncertainty"] = json_uncertainty(*uncertainty);

@@ -30,11 +30,11 @@ void write_maps_vti(const std::filesystem::path& place, const Analysis& analysis
     const Grid& grid = analysis.layer.grid;
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const double d = config.particle_diameter;
-    const std::string side = shortest(grid.spacing * d);
+    const Sides cell = grid.cell();
     const std::string extent = fmt::format("0 {} 0 {} 0 0", grid.nx, grid.ny);
     VtkFile file("ImageData", fmt::format("WholeExtent=\"{}\" Origin=\"{} {} {}\" Spacing=\"{} {} {}\"", extent,
-                                          shortest(config.x_begin), shortest(config.y_min), shortest(config.base), side,
-                                          side, side));
+                                          shortest(config.x_begin), shortest(config.y_min), shortest(config.base),
+                                          shortest(cell.x * d), shortest(cell.y * d), shortest(cell.x * d)));
     file.text(fmt::format("<Piece Extent=\"{}\">\n<CellData Scalars=\"PackingDensity\">\n", extent));
     file.array("PackingDensity", over_grid(analysis.packing.exact, grid, none));
     file.array("PackingDensityCentre", over_grid(analysis.packing.centre, grid, none));

@@ -20,10 +20,10 @@ void close_polygon(PolyCells& cells, std::size_t corners) {
     cells.ends.push_back(static_cast<std::int64_t>(cells.corners.size()));
 }
 
-/// Square of side `side` with this lower corner.
-void add_square(PolyCells& cells, Vec3 lower, double side) {
+/// Rectangle of these sides with this lower corner.
+void add_rectangle(PolyCells& cells, Vec3 lower, Sides side) {
     for (const auto& [x, y] : {std::pair(0, 0), std::pair(1, 0), std::pair(1, 1), std::pair(0, 1)})
-        cells.points.push_back({lower.x + x * side, lower.y + y * side, lower.z});
+        cells.points.push_back({lower.x + x * side.x, lower.y + y * side.y, lower.z});
     close_polygon(cells, 4);
 }
 
@@ -53,7 +53,8 @@ void write_chambers_vtp(const std::filesystem::path& place, const ChamberPores& 
 void write_density_pores_vtp(const std::filesystem::path& place, const Analysis& analysis, const AnalysisConfig& config,
                              const DensityPoreMetrics& metrics) {
     const Map& phi = analysis.packing.exact;
-    const double d = config.particle_diameter, side = config.grid * d;
+    const double d = config.particle_diameter;
+    const Sides side = analysis.layer.grid.stretched(config.grid * d);
     const std::vector<GridPore> found = pore_cells(analysis, config, metrics);
     PolyCells cells;
     std::vector<std::int64_t> number, size, percolates;
@@ -61,9 +62,10 @@ void write_density_pores_vtp(const std::filesystem::path& place, const Analysis&
     for (std::size_t p = 0; p < found.size(); ++p) {
         const DensityPore& pore = metrics.pores[p];
         for (const GridCell cell : found[p].cells) {
-            add_square(cells,
-                       {config.x_begin + (phi.first_x + cell.ix) * side, config.y_min + cell.iy * side, config.base},
-                       side);
+            add_rectangle(
+                cells,
+                {config.x_begin + (phi.first_x + cell.ix) * side.x, config.y_min + cell.iy * side.y, config.base},
+                side);
             number.push_back(static_cast<std::int64_t>(p + 1));
             size.push_back(static_cast<std::int64_t>(pore.cells));
             percolates.push_back(pore.percolates);

@@ -65,8 +65,8 @@ void StepSeries::finish() {
 }
 
 std::string StepSeries::text_head() {
-    return fmt::format("{:>12}{:>11}{:>10}{:>9}{:>12}{:>9}{:>9}{:>9}{:>9}{:>9}\n", "step", "particles", "phi", "+-",
-                       "IQR/median", "Ra", "+-", "CN", "pores 8", "chambers");
+    return fmt::format("{:>12}{:>10}{:>8}{:>8}{:>9}{:>8}{:>8}{:>7}{:>10}\n", "step", "particles", "phi", "+-",
+                       "IQR/phi", "Ra", "+-", "CN", "chambers");
 }
 
 std::string StepSeries::text_line(std::int64_t step, const Analysis& analysis, const Uncertainty& estimates) {
@@ -75,10 +75,10 @@ std::string StepSeries::text_line(std::int64_t step, const Analysis& analysis, c
         return std::isfinite(value) ? fmt::format("{:.4f}", value) : "-";
     };
     const auto& relative = analysis.phi_exact.iqr_over_median;
-    return fmt::format("{:>12}{:>11}{:>10.4f}{:>9}{:>12}{:>9.4f}{:>9}{:>9.3f}{:>9}{:>9}\n", step,
+    return fmt::format("{:>12}{:>10}{:>8.4f}{:>8}{:>9}{:>8.4f}{:>8}{:>7.3f}{:>10}\n", step,
                        analysis.coordination.n_particles, analysis.phi_exact.median, error("phi_exact", "median"),
-                       relative ? fmt::format("{:.4f}", *relative) : "undefined", analysis.height.roughness,
-                       error("height", "Ra"), analysis.coordination.cn_mean, analysis.density_pores.back().sizes.count,
+                       relative ? fmt::format("{:.4f}", *relative) : "-", analysis.height.roughness,
+                       error("height", "Ra"), analysis.coordination.cn_mean,
                        analysis.chamber_pores.separate.sizes.count);
 }
 

@@ -54,26 +54,31 @@ private:
 
 /// Index (i, j, k) is the centre of the voxel whose lower corner lies i, j, k sides from the start of the region, y_min
 /// and the base.
-openvdb::math::Transform::Ptr transform_of(const AnalysisConfig& config, double side) {
-    auto transform = openvdb::math::Transform::createLinearTransform(side);
-    transform->postTranslate({micrometre * config.x_begin + side / 2, micrometre * config.y_min + side / 2,
-                              micrometre * config.base + side / 2});
+openvdb::math::Transform::Ptr transform_of(const AnalysisConfig& config, const openvdb::Vec3d& side) {
+    auto transform = openvdb::math::Transform::createLinearTransform();
+    transform->postScale(side);
+    transform->postTranslate(micrometre * openvdb::Vec3d(config.x_begin, config.y_min, config.base) +
+                             openvdb::Vec3d(side / 2));
     return transform;
 }
 
-openvdb::FloatGrid::Ptr solid_grid(const Layer& layer, int n) {
-    const openvdb::MaskTree mask = voxel_mask(layer, n, 0, static_cast<int>(std::lround(layer.length * n)));
+openvdb::FloatGrid::Ptr solid_grid(const Layer& layer, const AnalysisConfig& config, int n) {
+    const VoxelLattice voxels = layer.voxels(n);
+    const openvdb::MaskTree mask = voxel_mask(layer, voxels, 0, static_cast<int>(voxels.rows));
     auto grid =
         openvdb::FloatGrid::create(std::make_shared<openvdb::FloatTree>(mask, 0.0F, 1.0F, openvdb::TopologyCopy()));
+    const double d = micrometre * config.particle_diameter;
+    grid->setTransform(transform_of(config, {d / voxels.per_x, d / voxels.per_y, d / voxels.per_z}));
     grid->setName("solid");
     grid->setGridClass(openvdb::GRID_FOG_VOLUME);
     return grid;
 }
 
-openvdb::FloatGrid::Ptr distance_grid(const Layer& layer, const AnalysisConfig& config,
-                                      const openvdb::math::Transform& transform, double side) {
+/// A distance has cubes for voxels, whether or not they fit into the period.
+openvdb::FloatGrid::Ptr distance_grid(const Layer& layer, const AnalysisConfig& config, int n) {
+    const double side = micrometre * config.particle_diameter / n;
     auto grid = openvdb::FloatGrid::create(static_cast<float>(half_width * side));
-    grid->setTransform(transform.copy());
+    grid->setTransform(transform_of(config, openvdb::Vec3d(side)));
     grid->setGridClass(openvdb::GRID_LEVEL_SET);
     grid->setName("distance");
     const SphereList spheres(layer, config);
@@ -91,21 +96,12 @@ openvdb::FloatGrid::Ptr distance_grid(const Layer& layer, const AnalysisConfig& 
 void write_voxel_volume(const std::filesystem::path& place, const Layer& layer, const AnalysisConfig& config,
                         int voxels_per_dp) {
     const int n = voxels_per_dp;
-    const double d = micrometre * config.particle_diameter, side = d / n, across = layer.width * n;
-    if (std::abs(across - std::round(across)) > 1e-6) {
-        throw InputError(
-            fmt::format("--vdb-voxels: the y period is {:.6g} voxels at {} per d_p; choose a number that divides it "
-                        "into whole voxels",
-                        across, n));
-    }
     openvdb::initialize();
-    const auto transform = transform_of(config, side);
-    openvdb::GridPtrVec grids = {solid_grid(layer, n), distance_grid(layer, config, *transform, side)};
+    openvdb::GridPtrVec grids = {solid_grid(layer, config, n), distance_grid(layer, config, n)};
     for (const auto& grid : grids) {
-        grid->setTransform(transform->copy());
         grid->setCreator("recoat-analyze " + program_version());
         grid->insertMeta("unit", openvdb::StringMetadata("um"));
-        grid->insertMeta("d_p", openvdb::DoubleMetadata(d));
+        grid->insertMeta("d_p", openvdb::DoubleMetadata(micrometre * config.particle_diameter));
         grid->insertMeta("voxels_per_dp", openvdb::Int32Metadata(n));
         grid->addStatsMetadata();
     }

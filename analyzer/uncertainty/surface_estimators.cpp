@@ -83,15 +83,16 @@ Estimator totals_estimator(const Analysis& analysis, const AnalysisConfig& confi
     const Grid& grid = layer.grid;
     const auto volume = std::make_shared<ColumnTable>(grid.nx, 2);  // whole spheres and what lies in the column [d_p^3]
     constexpr double infinite = std::numeric_limits<double>::infinity();
+    const double side = grid.cell().x;
     for (std::size_t i = 0; i < layer.size(); ++i) {
         const double x = layer.x[i], r = layer.radius[i];
         if (layer.in_region[i]) volume->add(column_of(x, grid, config.bin_tol), 0, sphere_volume(r));
-        const int first = std::max(static_cast<int>(std::floor((x - r) / grid.spacing)), 0);
-        const int last = std::min(static_cast<int>(std::floor((x + r) / grid.spacing)), grid.nx - 1);
+        const int first = std::max(static_cast<int>(std::floor((x - r) / side)), 0);
+        const int last = std::min(static_cast<int>(std::floor((x + r) / side)), grid.nx - 1);
         for (int column = first; column <= last; ++column) {
             volume->add(column, 1,
-                        sphere_box_volume({x, 0, 0}, r, {column * grid.spacing, -infinite, -infinite},
-                                          {(column + 1) * grid.spacing, infinite, infinite}));
+                        sphere_box_volume({x, 0, 0}, r, {column * side, -infinite, -infinite},
+                                          {(column + 1) * side, infinite, infinite}));
         }
     }
     Estimator result;
@@ -112,7 +113,7 @@ Estimator totals_estimator(const Analysis& analysis, const AnalysisConfig& confi
 }  // namespace
 
 std::size_t column_of(double x, const Grid& grid, double tolerance) {
-    const double column = std::floor(x / grid.spacing + tolerance);
+    const double column = std::floor(x / grid.cell().x + tolerance);
     return static_cast<std::size_t>(std::clamp(column, 0.0, static_cast<double>(grid.nx - 1)));
 }
 

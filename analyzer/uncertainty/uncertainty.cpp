@@ -36,13 +36,14 @@ const Estimate& Uncertainty::at(std::string_view group, std::string_view name) c
 
 Uncertainty bootstrap(const Analysis& analysis, const AnalysisConfig& config) {
     const int columns = analysis.layer.grid.nx;
+    const double column = analysis.layer.grid.cell().x;
     Uncertainty result;
     result.bootstrap = {.columns = columns,
-                        .block = std::clamp(static_cast<int>(std::lround(config.bootstrap_block / config.grid)), 1,
+                        .block = std::clamp(static_cast<int>(std::lround(config.bootstrap_block / column)), 1,
                                             std::max(columns / fewest_blocks, 1)),
                         .resamples = config.bootstrap_resamples,
                         .seed = config.bootstrap_seed};
-    result.block_length = result.bootstrap.block * config.grid;
+    result.block_length = result.bootstrap.block * column;
 
     const std::vector<Estimator> estimators = all_estimators(analysis, config);
     const std::vector<double> values = evaluate(estimators, ColumnWeights(columns, 1));

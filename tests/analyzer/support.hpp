@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <initializer_list>
 #include <random>
@@ -25,6 +27,9 @@ inline AnalysisConfig unit_config(double length, double width) {
     config.y_period = width;
     return config;
 }
+
+/// Side of the parts as near to a nominal side as fit into a length a whole number of times: the definition.
+inline double fitted(double length, double nominal) { return length / std::max(1.0, std::round(length / nominal)); }
 
 inline Layer layer_of(const std::vector<Ball>& balls, const AnalysisConfig& config) {
     Source source;

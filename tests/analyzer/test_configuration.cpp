@@ -105,6 +105,77 @@ TEST(AnalysisConfiguration, WhatDoesNotFitTogetherIsRefused) {
     EXPECT_NE(error(complete + "h_b: 1 dp\n").find("h_b"), std::string::npos);  // twice
 }
 
+/// What a file of another code says, with particles between x = 0 and 2 mm.
+SourceInfo foreign_info(double particle_diameter) {
+    return {.particle_diameter = particle_diameter, .y_min = 0, .y_period = 7e-4, .x_lower = 0, .x_upper = 2e-3};
+}
+
+TEST(AnalysisConfiguration, AnyPeriodWillDoUntilAGridIsNamed) {
+    const std::string least = "density: 4430\nh_b: 75 um\n";
+    for (const double diameter : {68e-6, 37.3e-6, 90.7e-6}) {
+        const AnalysisConfig config = read(least, foreign_info(diameter));
+        EXPECT_EQ(config.grid, 1);
+        EXPECT_NEAR(config.x_begin, diameter, 1e-15);
+        EXPECT_LE(config.x_end, 2e-3 - diameter + 1e-12);
+        EXPECT_GT(config.x_end, 2e-3 - 2 * diameter);
+        const AnalysisConfig asked = read(least + "x_range: [0, 1.9 mm]\n", foreign_info(diameter));
+        EXPECT_EQ(asked.x_end, 1.9e-3);
+        EXPECT_NE(error(least + "grid: 1 dp\n", foreign_info(diameter)).find("y_period: the period is"),
+                  std::string::npos);
+        EXPECT_NE(error(least + "grid: 50 um\nx_range: [0, 1.98 mm]\n", foreign_info(diameter))
+                      .find("x_range: the region is 39.6 cells of 5e-05 m long"),
+                  std::string::npos);
+        EXPECT_NO_THROW((void)read(least + "grid: 50 um\n", foreign_info(diameter)));
+    }
+}
+
+TEST(AnalysisConfiguration, WindowsAreSizedForThePeriod) {
+    const std::string least = "density: 4430\nh_b: 75 um\n";
+    SourceInfo info = foreign_info(50e-6);
+    info.y_period = 60e-6;
+    EXPECT_NE(error(least, info)
+                  .find("phi_window: the window is wider than the y period: 3 d_p in a period of 1.2 d_p; "
+                        "take a smaller one, e.g. --set phi_window=1dp"),
+              std::string::npos);
+    EXPECT_NO_THROW((void)read(least + "phi_window: 1 dp\n", info));
+    // 2.2 voxels of the default resolutions do not matter; they do where they are asked for.
+    EXPECT_NO_THROW((void)read(least + "phi_window: 0.22 dp\n", info));
+    EXPECT_NE(error(least + "phi_window: 0.22 dp\nvoxels_per_dp: [10]\n", info).find("phi_window is 2.2 voxels"),
+              std::string::npos);
+    EXPECT_NE(error(least + "phi_window: 0.05 dp\n", info).find("phi_window is less than one voxel at 10 per d_p"),
+              std::string::npos);
+}
+
+TEST(AnalysisConfiguration, ARegionGoesNoFartherThanAFewWindowsBeyondTheParticles) {
+    const std::string least = "density: 4430\nh_b: 75 um\n";
+    const auto refusal = [&](const std::string& range, const SourceInfo& info) {
+        return error(least + "x_range: [" + range + "]\n", info);
+    };
+    const SourceInfo info = foreign_info(50e-6);
+    EXPECT_NO_THROW((void)read(least + "x_range: [-0.75 mm, 2.75 mm]\n", info));
+    EXPECT_EQ(refusal("-1 mm, 2 mm", info),
+              "analysis.yaml:3: x_range: the region x = -0.001 ... 0.002 m reaches 0.001 m beyond the particles, which "
+              "lie between x = 0 and 0.002 m; give one that reaches no more than 0.00075 m beyond them");
+    EXPECT_NE(refusal("0, 2 m", info).find("reaches 2 m beyond the particles"), std::string::npos);
+    EXPECT_EQ(
+        refusal("1 m, 2 m", info),
+        "analysis.yaml:3: x_range: no particle lies in the region x = 1 ... 2 m; they lie between x = 0 and 0.002 "
+        "m: give a region there");
+    EXPECT_NE(refusal("-1 m, -0.1 m", info).find("no particle lies in the region"), std::string::npos);
+    EXPECT_NE(refusal("1 mm, 0", info).find("the region ends before it begins"), std::string::npos);
+    // Where the blade has been, an empty base is a result.
+    SourceInfo bare = state_info();
+    bare.x_lower = 2.1e-3;
+    bare.x_upper = 2.5e-3;
+    EXPECT_NO_THROW((void)read("x_range: [5 mm, 25 mm]\n", bare));
+    EXPECT_NE(error("x_range: [5 mm, 30 mm]\n", bare).find("reaches 0.003 m beyond the particles"), std::string::npos);
+}
+
+TEST(AnalysisConfiguration, ContactsGoByTheRadiiUnlessToldOtherwise) {
+    EXPECT_EQ(read(complete).contact_mode, ContactMode::radii);
+    EXPECT_EQ(read(complete + "contact_mode: dp\n").contact_mode, ContactMode::particle_diameter);
+}
+
 TEST(AnalysisConfiguration, ColumnNames) {
     const Config config = Config::parse("columns: {x: px, diameter: size}\n", "analysis.yaml");
     EXPECT_EQ(read_column_names(config).x, "px");

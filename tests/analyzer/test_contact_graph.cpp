@@ -1,9 +1,13 @@
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "analyzer/analysis.hpp"
 #include "analyzer/fields/contact_graph.hpp"
 #include "analyzer/metrics/coordination.hpp"
+#include "analyzer/uncertainty/uncertainty.hpp"
 #include "tests/analyzer/support.hpp"
 
 namespace recoat {
@@ -14,14 +18,16 @@ using testing::layer_of;
 using testing::random_balls;
 using testing::unit_config;
 
-/// Neighbours of a particle by trying all others and their nearest images.
-std::vector<std::size_t> touching(const Layer& layer, const AnalysisConfig& config, std::size_t i) {
-    std::vector<std::size_t> found;
-    for (std::size_t j = 0; j < layer.size(); ++j) {
-        const double dy = std::remainder(layer.y[i] - layer.y[j], layer.width);
-        const double distance = std::hypot(layer.x[i] - layer.x[j], dy, layer.z[i] - layer.z[j]);
+/// Neighbours of a particle by trying all others and itself at many images.
+std::vector<Neighbour> touching(const Layer& layer, const AnalysisConfig& config, std::size_t i) {
+    std::vector<Neighbour> found;
+    for (std::uint32_t j = 0; j < layer.size(); ++j) {
         const double sum = config.contact_mode == ContactMode::radii ? layer.radius[i] + layer.radius[j] : 1;
-        if (i != j && distance < config.contact_factor * sum) found.push_back(j);
+        for (std::int32_t turn = -6; turn <= 6; ++turn) {
+            const double distance = std::hypot(layer.x[i] - layer.x[j], layer.y[j] + turn * layer.width - layer.y[i],
+                                               layer.z[i] - layer.z[j]);
+            if ((i != j || turn != 0) && distance < config.contact_factor * sum) found.push_back({j, turn});
+        }
     }
     return found;
 }
@@ -44,7 +50,7 @@ TEST_P(Contacts, AreThoseOfAllPairs) {
     for (std::size_t i = 0; i < layer.size(); ++i) {
         const auto expected = touching(layer, config, i);
         const auto found = graph.neighbours(i);
-        EXPECT_EQ(std::vector<std::size_t>(found.begin(), found.end()), expected) << i;
+        EXPECT_TRUE(std::ranges::equal(found, expected)) << i;
         ends += expected.size();
     }
     EXPECT_EQ(graph.contacts(), ends / 2);
@@ -58,6 +64,60 @@ INSTANTIATE_TEST_SUITE_P(Sizes, Contacts,
                                            Case{6, 3, 60, ContactMode::particle_diameter},
                                            Case{6, 4, 60, ContactMode::radii},
                                            Case{900, 3, 900, ContactMode::particle_diameter}));
+
+// A particle touches others, and itself, at several images.
+INSTANTIATE_TEST_SUITE_P(ShortPeriods, Contacts,
+                         ::testing::Values(Case{9, 1.9, 20, ContactMode::radii}, Case{9, 1, 12, ContactMode::radii},
+                                           Case{9, 0.7, 12, ContactMode::particle_diameter},
+                                           Case{9, 0.3, 9, ContactMode::radii}));
+
+/// A sheet of touching particles along x and y, in a period of one, two or three of them.
+class Sheet : public ::testing::TestWithParam<int> {};
+
+TEST_P(Sheet, HasFourContactsPerParticle) {
+    AnalysisConfig config = unit_config(8, GetParam());
+    config.phi_window = 1;
+    std::vector<Ball> balls;
+    for (int i = -2; i < 10; ++i) {
+        for (int j = 0; j < GetParam(); ++j) balls.push_back({i + 0.5, j + 0.25});
+    }
+    const Analysis analysis = analyse(layer_of(balls, config), config);
+    EXPECT_EQ(analysis.coordination.cn_mean, 4);
+    EXPECT_EQ(analysis.coordination.n_contacts, static_cast<std::size_t>(11 * GetParam() + 12 * GetParam()));
+    EXPECT_EQ(analysis.cluster_sizes.max_cluster_size, balls.size());
+    EXPECT_EQ(analysis.cluster_sizes.n_percolating, 1U);
+    EXPECT_FALSE(analysis.clusters.cluster[0].angle);
+    EXPECT_EQ(bootstrap(analysis, config).at("clusters", "cn_mean").interval[0].lower, 4);
+    EXPECT_NEAR(analysis.phi_exact.median, std::numbers::pi / 6 / 1.5, 1e-12);
+    EXPECT_NEAR(analysis.height.mean, 1, 1e-12);
+    EXPECT_EQ(analysis.chamber_pores.separate.sizes.count, static_cast<std::size_t>(8 * GetParam()));
+    EXPECT_NEAR(analysis.chamber_pores.separate.sizes.median, std::numbers::sqrt2 - 1, 1e-9);
+    for (const VoxelMetrics& voxel : analysis.voxel) EXPECT_LT(voxel.phi_error.max, 0.02);
+}
+
+INSTANTIATE_TEST_SUITE_P(Periods, Sheet, ::testing::Values(1, 2, 3));
+
+TEST(ShortPeriod, AParticleThatTouchesItselfWindsRound) {
+    const AnalysisConfig config = unit_config(6, 1);
+    const Layer layer = layer_of({{1, 0.5}, {3, 0.5}}, config);
+    const ContactGraph graph = find_contacts(layer, config);
+    EXPECT_EQ(graph.contacts(), 2U);
+    EXPECT_EQ(graph.coordination_number(0), 2U);
+    const Clusters clusters = find_clusters(layer, graph);
+    ASSERT_EQ(clusters.cluster.size(), 2U);
+    EXPECT_EQ(clusters.cluster[0].size, 1U);
+    EXPECT_TRUE(clusters.cluster[0].percolates);
+}
+
+TEST(ContactMode, GoesByTheRadiiUnlessToldOtherwise) {
+    AnalysisConfig config = unit_config(10, 10);
+    const std::vector<Ball> balls = {{1, 1, 0.8, 0.8}, {2.6, 1, 0.8, 0.8}, {5, 5, 0.2, 0.2}, {5.8, 5, 0.2, 0.2}};
+    EXPECT_EQ(find_contacts(layer_of(balls, config), config).contacts(), 1U);
+    config.contact_mode = ContactMode::particle_diameter;
+    const ContactGraph graph = find_contacts(layer_of(balls, config), config);
+    EXPECT_EQ(graph.contacts(), 1U);
+    EXPECT_EQ(graph.coordination_number(2), 1U);
+}
 
 TEST(ContactRange, IsStrictlyBelowTheFactor) {
     const AnalysisConfig config = unit_config(10, 10);

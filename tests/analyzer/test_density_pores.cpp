@@ -129,13 +129,51 @@ TEST(DensityPores, RandomMapsAgreeWithMergingOfLabels) {
     }
 }
 
+TEST(PixelShape, RectangularCellsAreAsManySquares) {
+    std::mt19937_64 generator(7);
+    for (int trial = 0; trial < 20; ++trial) {
+        std::vector<GridCell> cells, squares;
+        for (int k = 0; k < 7; ++k) {
+            const GridCell cell = {static_cast<int>(generator() % 9), static_cast<int>(generator() % 9)};
+            const auto same = [cell](GridCell other) { return other.ix == cell.ix && other.iy == cell.iy; };
+            if (std::ranges::any_of(cells, same)) continue;
+            cells.push_back(cell);
+            for (int i = 0; i < 3; ++i) {
+                for (int j = 0; j < 2; ++j) squares.push_back({3 * cell.ix + i, 2 * cell.iy + j});
+            }
+        }
+        const PixelShape shape = pixel_shape(cells, {0.6, 0.4}), fine = pixel_shape(squares, {0.2, 0.2});
+        EXPECT_NEAR(shape.elongation, fine.elongation, 1e-12);
+        EXPECT_NEAR(shape.angle.value_or(-1), fine.angle.value_or(-1), 1e-9);
+        EXPECT_NEAR(shape.hull_area, fine.hull_area, 1e-12);
+        EXPECT_NEAR(shape.hull_perimeter, fine.hull_perimeter, 1e-12);
+        EXPECT_NEAR(shape.rect_long * shape.rect_short, fine.rect_long * fine.rect_short, 1e-12);
+        EXPECT_NEAR(shape.extent_x, fine.extent_x, 1e-12);
+        EXPECT_NEAR(shape.extent_y, fine.extent_y, 1e-12);
+    }
+}
+
+TEST(DensityPores, OfRectangularCells) {
+    const Map map = map_with(10, 9, {{2, 8}, {2, 0}, {3, 8}, {3, 0}, {4, 8}, {4, 0}});
+    const Grid grid = {.nx = 10, .ny = 9, .spacing = 1, .stretch_x = 1.1, .stretch_y = 0.9};
+    const DensityPoreMetrics metrics = density_pore_metrics(map, grid, unit_config(11, 8.1), GridConnectivity::sides);
+    ASSERT_EQ(metrics.pores.size(), 1U);
+    const DensityPore& pore = metrics.pores[0];
+    EXPECT_NEAR(pore.area, 6 * 0.99, 1e-12);
+    EXPECT_NEAR(pore.diameter, std::sqrt(4 * 6 * 0.99 / std::numbers::pi), 1e-12);
+    EXPECT_NEAR(pore.x, 3.5 * 1.1, 1e-12);
+    EXPECT_NEAR(std::remainder(pore.y, 8.1), 0, 1e-12);
+    EXPECT_NEAR(pore.shape->elongation, 3.3 / 1.8, 1e-12);
+    EXPECT_NEAR(pore.shape->hull_perimeter, 2 * (3.3 + 1.8), 1e-12);
+}
+
 TEST(PixelShape, SmallestRectangleAgreesWithAScanOverAngles) {
     std::mt19937_64 generator(6);
     for (int trial = 0; trial < 30; ++trial) {
         std::vector<GridCell> cells;
         for (int k = 0; k < 6; ++k)
             cells.push_back({static_cast<int>(generator() % 9), static_cast<int>(generator() % 9)});
-        const PixelShape shape = pixel_shape(cells);
+        const PixelShape shape = pixel_shape(cells, {1, 1});
         double smallest = 1e300;
         constexpr int steps = 9000;
         for (int k = 0; k < steps; ++k) {

@@ -10,17 +10,18 @@ namespace recoat {
 namespace {
 
 using testing::Ball;
+using testing::fitted;
 using testing::layer_of;
 using testing::random_balls;
 using testing::unit_config;
 
 /// Highest point of the spheres over a square, found by trying the points of a fine mesh of it.
-double sampled_height(const std::vector<Ball>& balls, double x, double y, double half, double width) {
+double sampled_height(const std::vector<Ball>& balls, double x, double y, Sides half, double width) {
     constexpr int points = 60;
     double height = 0;
     for (int i = 0; i <= points; ++i) {
         for (int j = 0; j <= points; ++j) {
-            const double px = x + half * (2.0 * i / points - 1), py = y + half * (2.0 * j / points - 1);
+            const double px = x + half.x * (2.0 * i / points - 1), py = y + half.y * (2.0 * j / points - 1);
             for (const Ball& ball : balls) {
                 const double dx = px - ball.x, dy = std::remainder(py - ball.y, width);
                 const double square = ball.radius * ball.radius - dx * dx - dy * dy;
@@ -31,16 +32,22 @@ double sampled_height(const std::vector<Ball>& balls, double x, double y, double
     return height;
 }
 
-class HeightMap : public ::testing::TestWithParam<double> {};
+struct Case {
+    double window, length = 5, width = 4;
+};
+
+class HeightMap : public ::testing::TestWithParam<Case> {};
 
 TEST_P(HeightMap, IsTheHighestPointOverEverySquare) {
-    AnalysisConfig config = unit_config(5, 4);
-    config.height_window = GetParam();
-    const std::vector<Ball> balls = random_balls(12, 5, 4, 3);
+    const auto [window, length, width] = GetParam();
+    AnalysisConfig config = unit_config(length, width);
+    config.height_window = window;
+    const std::vector<Ball> balls = random_balls(12, length, width, 3);
     const Map map = height_map(layer_of(balls, config), config);
-    for (int ix = 0; ix < 5; ++ix) {
-        for (int iy = 0; iy < 4; ++iy) {
-            const double sampled = sampled_height(balls, ix + 0.5, iy + 0.5, 0.5 * config.height_window, 4);
+    const Sides cell = {fitted(length, 1), fitted(width, 1)}, half = {window / 2 * cell.x, window / 2 * cell.y};
+    for (int ix = 0; ix < map.nx; ++ix) {
+        for (int iy = 0; iy < map.ny; ++iy) {
+            const double sampled = sampled_height(balls, (ix + 0.5) * cell.x, (iy + 0.5) * cell.y, half, width);
             EXPECT_GE(map.at(ix, iy), sampled - 1e-12);
             // A sphere that reaches in by less than the mesh is seen lower, or not at all.
             if (sampled > 0) {
@@ -50,7 +57,8 @@ TEST_P(HeightMap, IsTheHighestPointOverEverySquare) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Windows, HeightMap, ::testing::Values(0.5, 1.0, 1.7));
+INSTANTIATE_TEST_SUITE_P(Windows, HeightMap,
+                         ::testing::Values(Case{0.5}, Case{1}, Case{1.7}, Case{1, 5.4, 3.7}, Case{1.7, 4.6, 4.45}));
 
 TEST(HeightMapValues, OneSphere) {
     const AnalysisConfig config = unit_config(4, 4);

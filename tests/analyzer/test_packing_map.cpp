@@ -7,6 +7,7 @@
 namespace recoat {
 namespace {
 
+using testing::fitted;
 using testing::layer_of;
 using testing::random_balls;
 using testing::unit_config;
@@ -17,8 +18,14 @@ struct Window {
 };
 
 Window window_of(const Layer& layer, const AnalysisConfig& config, int ix, int iy) {
-    const double x = layer.grid.node(ix), y = layer.grid.node(iy), half = 0.5 * config.phi_window;
-    return {{x - half, y - half, 0}, {x + half, y + half, layer.clearance}};
+    const double side_x = fitted(layer.length, config.grid), side_y = fitted(layer.width, config.grid);
+    const double cells = config.phi_window / config.grid;
+    return {{side_x * (ix + 0.5 - cells / 2), side_y * (iy + 0.5 - cells / 2), 0},
+            {side_x * (ix + 0.5 + cells / 2), side_y * (iy + 0.5 + cells / 2), layer.clearance}};
+}
+
+double box_of(const Window& window) {
+    return (window.upper.x - window.lower.x) * (window.upper.y - window.lower.y) * window.upper.z;
 }
 
 /// The definition as it stands: every sphere and its images, one window at a time.
@@ -31,7 +38,7 @@ double exact_at(const Layer& layer, const AnalysisConfig& config, int ix, int iy
                                         window.upper);
         }
     }
-    return volume / (config.phi_window * config.phi_window * layer.clearance);
+    return volume / box_of(window);
 }
 
 double centre_at(const Layer& layer, const AnalysisConfig& config, int ix, int iy) {
@@ -45,23 +52,24 @@ double centre_at(const Layer& layer, const AnalysisConfig& config, int ix, int i
             if (inside) volume += sphere_volume(layer.radius[i]);
         }
     }
-    return volume / (config.phi_window * config.phi_window * layer.clearance);
+    return volume / box_of(window);
 }
 
 struct Case {
     double grid, window;
     WindowEdge edge;
+    double length = 7, width = 5;
 };
 
 class PackingMap : public ::testing::TestWithParam<Case> {};
 
 TEST_P(PackingMap, IsTheDefinitionAtEveryNode) {
-    const auto [grid, window, edge] = GetParam();
-    AnalysisConfig config = unit_config(7, 5);
+    const auto [grid, window, edge, length, width] = GetParam();
+    AnalysisConfig config = unit_config(length, width);
     config.grid = grid;
     config.phi_window = window;
     config.phi_x_edge = edge;
-    const Layer layer = layer_of(random_balls(120, 7, 5, 11), config);
+    const Layer layer = layer_of(random_balls(120, length, width, 11), config);
     const PackingMaps maps = packing_maps(layer, config);
     ASSERT_EQ(maps.exact.ny, layer.grid.ny);
     for (int row = 0; row < maps.exact.nx; ++row) {
@@ -79,6 +87,14 @@ INSTANTIATE_TEST_SUITE_P(Windows, PackingMap,
                                            Case{1, 2.5, WindowEdge::interior}, Case{0.5, 3, WindowEdge::overhang},
                                            Case{0.5, 0.7, WindowEdge::overhang}, Case{1, 0.6, WindowEdge::interior},
                                            Case{1, 5, WindowEdge::overhang}));
+
+// Neither the region nor the period is a whole number of cells: 7.3 and 5.6, 6.55 and 4.4, 2.45 and 1.49 cells.
+INSTANTIATE_TEST_SUITE_P(RectangularCells, PackingMap,
+                         ::testing::Values(Case{1, 3, WindowEdge::overhang, 7.3, 5.6},
+                                           Case{1, 3, WindowEdge::interior, 6.55, 4.4},
+                                           Case{1, 1.4, WindowEdge::overhang, 7.3, 4.4},
+                                           Case{0.9, 2.7, WindowEdge::interior, 7.3, 5.6},
+                                           Case{1, 1, WindowEdge::overhang, 2.45, 1.49}));
 
 TEST(PackingNodes, InteriorDropsWindowsThatReachOut) {
     const Grid grid = {.nx = 10, .ny = 4, .spacing = 1};

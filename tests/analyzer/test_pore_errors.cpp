@@ -33,7 +33,7 @@ TEST(DensityPoreErrors, PartnersShareTheMostCells) {
     for (Map* map : {&exact, &voxels}) map->values.assign(27, 1.0);
     for (const int j : {0, 1, 2, 3, 5, 7}) exact.at(1, j) = 0;
     for (const int j : {0, 2, 3, 5}) voxels.at(1, j) = 0;
-    const PoreErrors errors = density_pore_errors(exact, voxels, 0.5, 2);
+    const PoreErrors errors = density_pore_errors(exact, voxels, 0.5, 4);
     EXPECT_EQ(errors.matched, 2U);
     EXPECT_EQ(errors.missed, 1U);
     EXPECT_EQ(errors.spurious, 1U);

@@ -101,7 +101,7 @@ def test_bad_layers_are_refused(analyze, tmp_path, text, sentence):
         ("d_p: 50 um\ngird: 1\n", "bad.yaml:1: h_b: the file of particles does not say the clearance under the blade; give it"),
         ("d_p: 50 kg\n", "bad.yaml:1: d_p"),
         ("d_p: 50 um\ndensity: 4430\nh_b: 75 um\nx_range: [0, 1 mm]\ny_min: 0\ny_period: 0.6 mm\ngird: 1\n", "bad.yaml:7: gird"),
-        ("d_p: 50 um\ndensity: 4430\nh_b: 75 um\nx_range: [0, 1.01 mm]\ny_min: 0\ny_period: 0.6 mm\n", "bad.yaml:4: x_range: the region is 20.2 cells"),
+        ("d_p: 50 um\ndensity: 4430\nh_b: 75 um\nx_range: [0, 1.01 mm]\ny_min: 0\ny_period: 0.6 mm\ngrid: 1 dp\n", "bad.yaml:4: x_range: the region is 20.2 cells"),
     ],
 )
 def test_bad_configurations_are_refused(analyze, tmp_path, text, sentence):

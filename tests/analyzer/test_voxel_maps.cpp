@@ -12,6 +12,7 @@ namespace recoat {
 namespace {
 
 using testing::Ball;
+using testing::fitted;
 using testing::layer_of;
 using testing::random_balls;
 using testing::unit_config;
@@ -26,7 +27,7 @@ bool is_solid(const Layer& layer, double x, double y, double z) {
 }
 
 /// Indices k of the voxels with their centre in [low, high).
-std::vector<int> centres_in(double low, double high, int n) {
+std::vector<int> centres_in(double low, double high, double n) {
     std::vector<int> indices;
     for (int k = static_cast<int>(std::floor(low * n)) - 1; k <= high * n + 1; ++k) {
         const double centre = (k + 0.5) / n;
@@ -38,36 +39,45 @@ std::vector<int> centres_in(double low, double high, int n) {
 struct Case {
     double grid, phi_window, height_window;
     int n;
+    double length = 3, width = 3;
 };
 
 class VoxelMap : public ::testing::TestWithParam<Case> {};
 
 TEST_P(VoxelMap, IsTheDefinitionAtEveryNode) {
-    const auto [grid, phi_window, height_window, n] = GetParam();
-    AnalysisConfig config = unit_config(3, 3);
+    const auto [grid, phi_window, height_window, n, length, width] = GetParam();
+    AnalysisConfig config = unit_config(length, width);
     config.grid = grid;
     config.phi_window = phi_window;
     config.height_window = height_window;
-    const Layer layer = layer_of(random_balls(14, 3, 3, 21), config);
+    const Layer layer = layer_of(random_balls(14, length, width, 21), config);
     const VoxelMaps maps = voxel_maps(layer, config, n);
+    const double stretch_x = fitted(length, grid) / grid, stretch_y = fitted(width, grid) / grid;
+    const double per_x = 1 / fitted(length, 1.0 / n), per_y = 1 / fitted(width, 1.0 / n);
+    const auto along_x = [&](double x, double window) {
+        return centres_in(x - window / 2 * stretch_x, x + window / 2 * stretch_x, per_x);
+    };
+    const auto along_y = [&](double y, double window) {
+        return centres_in(y - window / 2 * stretch_y, y + window / 2 * stretch_y, per_y);
+    };
     for (int ix = 0; ix < layer.grid.nx; ++ix) {
         for (int iy = 0; iy < layer.grid.ny; ++iy) {
-            const double x = layer.grid.node(ix), y = layer.grid.node(iy);
+            const double x = (ix + 0.5) * grid * stretch_x, y = (iy + 0.5) * grid * stretch_y;
             int solid = 0, voxels = 0;
-            for (const int i : centres_in(x - phi_window / 2, x + phi_window / 2, n)) {
-                for (const int j : centres_in(y - phi_window / 2, y + phi_window / 2, n)) {
+            for (const int i : along_x(x, phi_window)) {
+                for (const int j : along_y(y, phi_window)) {
                     for (const int k : centres_in(0, layer.clearance, n)) {
-                        solid += is_solid(layer, (i + 0.5) / n, (j + 0.5) / n, (k + 0.5) / n);
+                        solid += is_solid(layer, (i + 0.5) / per_x, (j + 0.5) / per_y, (k + 0.5) / n);
                         ++voxels;
                     }
                 }
             }
             EXPECT_DOUBLE_EQ(maps.phi.at(ix, iy), static_cast<double>(solid) / voxels) << ix << ", " << iy;
             double top = 0;
-            for (const int i : centres_in(x - height_window / 2, x + height_window / 2, n)) {
-                for (const int j : centres_in(y - height_window / 2, y + height_window / 2, n)) {
+            for (const int i : along_x(x, height_window)) {
+                for (const int j : along_y(y, height_window)) {
                     for (const int k : centres_in(0, 3, n)) {
-                        if (is_solid(layer, (i + 0.5) / n, (j + 0.5) / n, (k + 0.5) / n))
+                        if (is_solid(layer, (i + 0.5) / per_x, (j + 0.5) / per_y, (k + 0.5) / n))
                             top = std::max(top, (k + 1.0) / n);
                     }
                 }
@@ -80,6 +90,11 @@ TEST_P(VoxelMap, IsTheDefinitionAtEveryNode) {
 INSTANTIATE_TEST_SUITE_P(Windows, VoxelMap,
                          ::testing::Values(Case{1, 3, 1, 4}, Case{1, 2, 1, 5}, Case{1, 3, 1, 7}, Case{0.5, 1.5, 0.5, 6},
                                            Case{1, 2.5, 1.5, 4}, Case{1, 1, 1, 10}));
+
+// Voxels that fit the period, but not the windows.
+INSTANTIATE_TEST_SUITE_P(RectangularVoxels, VoxelMap,
+                         ::testing::Values(Case{1, 3, 1, 4, 3.3, 2.6}, Case{1, 2, 1, 7, 2.45, 3.37},
+                                           Case{0.9, 1.8, 0.9, 5, 3.3, 3.37}));
 
 TEST(VoxelMaps, ConvergeToTheExactOnes) {
     const AnalysisConfig config = unit_config(8, 8);

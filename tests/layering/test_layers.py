@@ -16,6 +16,8 @@ SOLVER = ["common", "solver/execution", "solver/contact", "solver/engine", "solv
 ANALYZER = [
     "common",
     "analyzer/readers",
+    "analyzer/division",
+    "analyzer/region",
     "analyzer/configuration",
     "analyzer/fields",
     "analyzer/metrics",

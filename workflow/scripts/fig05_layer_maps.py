@@ -49,10 +49,11 @@ def draw(layers):
     for (left, right), layer in zip(panels, shown):
         extent = (layer.x_range[0], layer.x_range[0] + length)
         disks = draw_particles(left, layer, extent, colours, norm, classes)
+        first = layer.x_range[0] + (layer.cells - len(layer.packing)) // 2 * layer.cell  # outer nodes may be left out
         image = right.imshow(
-            layer.packing[: round(length)].T,
+            layer.packing.T,
             origin="lower",
-            extent=(*extent, 0, layer.width),
+            extent=(first, first + len(layer.packing) * layer.cell, 0, layer.width),
             vmin=0,
             vmax=densest,
             cmap=PACKING_MAP,

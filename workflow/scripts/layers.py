@@ -44,6 +44,17 @@ class Layer:
         """Period in y [d_p]."""
         return self.metrics["config"]["y_period"] / self.diameter
 
+    @property
+    def cells(self):
+        """Number of cells of the report's grid along x; of d_p where the report does not say."""
+        grid = self.metrics.get("grid")
+        return grid["cells"][0] if grid else round(self.x_range[1] - self.x_range[0])
+
+    @property
+    def cell(self):
+        """Side of these cells [d_p]."""
+        return (self.x_range[1] - self.x_range[0]) / self.cells
+
     @cached_property
     def packing(self):
         """Local packing density at the nodes, [along x, along y]."""
@@ -95,15 +106,13 @@ class Layer:
 
     def pore_interval(self, x, values, statistic):
         """95 % interval of a statistic of values of pores, resampled with the columns that their middles x lie in."""
-        cells = round(self.x_range[1] - self.x_range[0])
-        cell = numpy.clip(numpy.floor(numpy.asarray(x, dtype=float) + 1e-6), 0, cells - 1)
-        return scattered_interval(cell, values, statistic, cells, **self.resampling)
+        cell = numpy.clip(numpy.floor(numpy.asarray(x, dtype=float) / self.cell + 1e-6), 0, self.cells - 1)
+        return scattered_interval(cell, values, statistic, self.cells, **self.resampling)
 
     def counts(self, group, groups):
-        """Particles of each group in each cell of length d_p along x; see counts_by_cell."""
-        lower, upper = self.x_range
+        """Particles of each group in each cell along x; see counts_by_cell."""
         position = self.state.points[:, 0] / self.diameter
-        return counts_by_cell(position, lower, 1.0, round(upper - lower), numpy.asarray(group), groups)
+        return counts_by_cell(position, self.x_range[0], self.cell, self.cells, numpy.asarray(group), groups)
 
     def interval(self, values, statistic):
         """95 % interval of a statistic of rows along x that the report does not have."""
