@@ -199,7 +199,7 @@ AnalysisConfig read_analysis_config(const Config& given, const SourceInfo& info)
     read_bootstrap(config, result);
     read_voxels(config, result);
     const double d = result.particle_diameter;
-    const Region region = read_region(config, info, {d, result.grid * d, result.phi_window * d});
+    const Region region = read_region(config, info, {d, result.grid * d});
     result.x_begin = region.begin;
     result.x_end = region.end;
     config.finish();

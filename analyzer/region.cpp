@@ -41,12 +41,32 @@ Region of_blade(const Config& config, const SourceInfo& info, const RegionScale&
     return {begin, begin + cells * scale.cell};
 }
 
-/// What is typed must not decide how long an analysis takes.
-void check_reach(const Config& config, const SourceInfo& info, const RegionScale& scale, const Region& region) {
-    if (std::isnan(info.x_lower)) return;
+Region given(const Config& config) {
+    for (const std::string_view key : {"skip_start", "skip_end"}) {
+        if (config.has(key))
+            config.fail(key, "x_range is given too; give either x_range or what to skip of the spreading length");
+    }
+    const std::vector<double> range = config.quantities("x_range", Dimension::length, 2);
+    const Region region = {range[0], range[1]};
+    if (!(region.end > region.begin))
+        config.fail("x_range", "the region ends before it begins; give [start, end] with start < end");
+    return region;
+}
+
+}  // namespace
+
+Region read_region(const Config& config, const SourceInfo& info, const RegionScale& scale) {
+    if (config.has("x_range")) return given(config);
+    if (!std::isnan(info.blade_start) && !std::isnan(info.spread_length)) return of_blade(config, info, scale);
+    if (std::isnan(info.x_lower)) (void)config.quantities("x_range", Dimension::length, 2);  // says that it is missing
+    return of_particles(config, info, scale);
+}
+
+void check_reach(const Config& config, const SourceInfo& info, const Region& region, double window) {
+    if (std::isnan(info.x_lower) || !config.has("x_range")) return;
     const double way_end = info.blade_start + info.spread_length;  // NaN where it is not known
     const double low = std::fmin(info.x_lower, info.blade_start), high = std::fmax(info.x_upper, way_end);
-    const double beyond = std::max(low - region.begin, region.end - high), most = windows_beyond * scale.window;
+    const double beyond = std::max(low - region.begin, region.end - high), most = windows_beyond * window;
     const bool apart = region.end <= low || region.begin > high;
     if (apart) {
         config.fail("x_range", fmt::format("no particle lies in the region x = {:.9g} ... {:.9g} m; they lie between x "
@@ -59,28 +79,6 @@ void check_reach(const Config& config, const SourceInfo& info, const RegionScale
                                            "than {:.3g} m beyond them",
                                            region.begin, region.end, beyond, info.x_lower, info.x_upper, most));
     }
-}
-
-Region given(const Config& config, const SourceInfo& info, const RegionScale& scale) {
-    for (const std::string_view key : {"skip_start", "skip_end"}) {
-        if (config.has(key))
-            config.fail(key, "x_range is given too; give either x_range or what to skip of the spreading length");
-    }
-    const std::vector<double> range = config.quantities("x_range", Dimension::length, 2);
-    const Region region = {range[0], range[1]};
-    if (!(region.end > region.begin))
-        config.fail("x_range", "the region ends before it begins; give [start, end] with start < end");
-    check_reach(config, info, scale, region);
-    return region;
-}
-
-}  // namespace
-
-Region read_region(const Config& config, const SourceInfo& info, const RegionScale& scale) {
-    if (config.has("x_range")) return given(config, info, scale);
-    if (!std::isnan(info.blade_start) && !std::isnan(info.spread_length)) return of_blade(config, info, scale);
-    if (std::isnan(info.x_lower)) (void)config.quantities("x_range", Dimension::length, 2);  // says that it is missing
-    return of_particles(config, info, scale);
 }
 
 }  // namespace recoat

@@ -90,6 +90,7 @@ std::string Config::join(std::string_view key) const {
 void Config::fail_at(const ConfigNode& node, std::string_view key, const std::string& problem) const {
     const std::string full = join(key).empty() ? "" : join(key) + ": ";
     if (!node.override_text.empty()) throw InputError(fmt::format("--set {}: {}{}", node.override_text, full, problem));
+    if (document_->name.empty()) throw InputError(full + problem);  // nothing was written that has a line
     throw InputError(fmt::format("{}:{}: {}{}", document_->name, node.line, full, problem));
 }
 

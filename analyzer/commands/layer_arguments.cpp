@@ -9,6 +9,7 @@
 #include "analyzer/commands/warnings.hpp"
 #include "analyzer/readers/frame.hpp"
 #include "analyzer/readers/reader.hpp"
+#include "analyzer/region.hpp"
 #include "common/error.hpp"
 
 namespace recoat {
@@ -29,14 +30,17 @@ void add_layer_arguments(CLI::App& command, LayerArguments& arguments) {
 Config load_config(const LayerArguments& arguments) {
     std::vector<std::string> settings = arguments.settings;
     for (const std::string& setting : frame_settings(arguments.frame)) settings.push_back(setting);
-    if (arguments.config.empty()) return Config::parse("{}", "--config (not given)", settings);
+    if (arguments.config.empty()) return Config::parse("{}", "", settings);
     return Config::load(arguments.config, settings);
 }
 
 namespace {
 
-/// @throws InputError when a file has particles, but none of them lies in the region.
-void check_region(const PreparedLayer& prepared, const LayerArguments& arguments) {
+/// @throws InputError when a file has particles, but none of them lies in the region, or the region reaches far beyond.
+void check_region(const Config& config, const PreparedLayer& prepared, const LayerArguments& arguments) {
+    const AnalysisConfig& resolved = prepared.config;
+    check_reach(config, prepared.source.info, {resolved.x_begin, resolved.x_end},
+                resolved.phi_window * resolved.particle_diameter);
     const std::vector<char>& in_region = prepared.layer.in_region;
     const std::vector<Vec3>& position = prepared.source.position;
     if (position.empty() || std::ranges::find(in_region, 1) != in_region.end()) return;
@@ -44,7 +48,7 @@ void check_region(const PreparedLayer& prepared, const LayerArguments& arguments
     throw InputError(
         fmt::format("{}: no particle has its centre in the region x = {:.9g} ... {:.9g} m; they lie between "
                     "x = {:.9g} and {:.9g} m: give a region there (--region, x_range)",
-                    arguments.file, prepared.config.x_begin, prepared.config.x_end, low.x, high.x));
+                    arguments.file, resolved.x_begin, resolved.x_end, low.x, high.x));
 }
 
 PreparedLayer prepared_from(Source source, const AnalysisConfig& config) {
@@ -62,7 +66,7 @@ PreparedLayer prepare_layer(const LayerArguments& arguments) {
     complete_frame(source);
     const AnalysisConfig resolved = read_analysis_config(config, source.info);
     PreparedLayer prepared = prepared_from(std::move(source), resolved);
-    check_region(prepared, arguments);
+    check_region(config, prepared, arguments);
     return prepared;
 }
 
@@ -77,7 +81,7 @@ void for_each_step(const LayerArguments& arguments,
     Source last = recording.read(steps - 1);
     complete_frame(last);
     const AnalysisConfig resolved = read_analysis_config(config, last.info);
-    check_region(prepared_from(std::move(last), resolved), arguments);
+    check_region(config, prepared_from(std::move(last), resolved), arguments);
     Warnings warnings;
     for (std::size_t index = 0; index < steps; ++index) {
         Source source = recording.read(index);

@@ -30,9 +30,9 @@ struct Extent {
 };
 
 /// Blocks of equal size.
-class Division {
+class Layout {
 public:
-    Division(const TopView& view, double margin)
+    Layout(const TopView& view, double margin)
         : view_(view), extent_(view), margin_x_(margin + slack), margin_y_(std::min(margin, view.period / 2) + slack) {
         const double per_disk = extent_.length() * view.period / static_cast<double>(view.disks.size());
         const double side = std::max(std::sqrt(usual_disks * per_disk), least_margins * margin);
@@ -142,7 +142,7 @@ private:
 
 }  // namespace
 
-std::vector<PlaneBlock> plane_blocks(const TopView& view, double margin) { return Division(view, margin).run(); }
+std::vector<PlaneBlock> plane_blocks(const TopView& view, double margin) { return Layout(view, margin).run(); }
 
 double farthest_from_centres(const TopView& view) { return CellDistance(view).bound(); }
 

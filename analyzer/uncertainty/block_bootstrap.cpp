@@ -42,6 +42,10 @@ Interval interval_of(std::span<const double> resampled) {
         return {undefined, undefined, undefined};
     }
     std::ranges::sort(values);
+    // Resamples that are equal but for the order of a sum have no scatter.
+    constexpr double round_off = 1e-12;
+    if (values.back() - values.front() <= round_off * std::max(std::abs(values.front()), std::abs(values.back())))
+        return {values.front(), values.back(), 0};
     const double centre = mean(values);
     double squares = 0;
     for (const double value : values) squares += (value - centre) * (value - centre);

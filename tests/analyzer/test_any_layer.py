@@ -1,6 +1,5 @@
 """Layers of other codes with nothing said but the clearance and the density, and regions that do not fit them."""
 
-import gzip
 import json
 import time
 from pathlib import Path
@@ -26,10 +25,18 @@ def dump(path, points, radii, period, step=1000):
 
 @pytest.fixture
 def powder(tmp_path):
-    """Log-normal spheres on a plate of 2 x 0.7 mm: no length is a whole number of diameters."""
+    """Log-normal spheres dropped on a plate of 2 x 0.7 mm, none on another: no length is a whole number of diameters."""
     generator = np.random.default_rng(5)
-    radii = np.exp(generator.normal(np.log(3.37e-5), 0.25, 250))
-    points = np.column_stack([generator.uniform(0, 2e-3, 250), generator.uniform(0, 7e-4, 250), radii])
+    placed = np.empty((0, 4))
+    for radius in np.sort(np.exp(generator.normal(np.log(3.37e-5), 0.25, 150)))[::-1]:
+        while True:
+            x, y = generator.uniform(0, 2e-3), generator.uniform(0, 7e-4)
+            across = np.abs(placed[:, 1] - y)
+            distance = np.hypot(placed[:, 0] - x, np.minimum(across, 7e-4 - across))
+            if (distance >= placed[:, 3] + radius).all():
+                break
+        placed = np.vstack([placed, (x, y, radius, radius)])
+    points, radii = placed[:, :3], placed[:, 3]
     return dump(tmp_path / "powder.dump", points, radii, 7e-4), points, radii
 
 
@@ -94,7 +101,7 @@ def test_a_grid_that_is_named_must_fit(good, refused, powder):
     good("metrics", file, *LEAST, *QUICK, "--set", "grid=35um")
 
 
-@pytest.mark.parametrize("layer", ["powder", "reference-layer.dump.gz"])
+@pytest.mark.parametrize("layer", ["powder", "lammps-layer.dump.gz"])
 def test_tables_fit_a_terminal(good, tmp_path, powder, layer):
     file = powder[0] if layer == "powder" else DUMPS / layer
     for command in (["metrics", file], ["metrics", file, "--step", "all"], ["convergence", file]):
@@ -160,11 +167,10 @@ def test_a_gap_between_particles_is_no_region(refused, tmp_path):
 def test_the_example_of_the_readme(good, root):
     """The layer that the documentation shows has contacts, clusters, holes and chambers to look at."""
     text = (root / "README.md").read_text()
-    assert "tests/data/dumps/reference-layer.dump.gz" in text
-    lines = good("metrics", DUMPS / "reference-layer.dump.gz", *LEAST).splitlines()
+    assert "tests/data/dumps/lammps-layer.dump.gz" in text
+    lines = good("metrics", DUMPS / "lammps-layer.dump.gz", *LEAST).splitlines()
     rows = {line[:37].strip(): line[37:].split() for line in lines}
     assert float(rows["coordination number, mean"][0]) > 0.3
     assert float(rows["clusters of 2 or more, in the file"][0]) > 20
     assert float(rows["chamber pores, rule A"][0]) > 100
     assert 0.1 < float(rows["packing density, median"][0]) < 0.3
-    assert gzip.open(DUMPS / "reference-layer.dump.gz").read().count(b"\n") == 9 + 304

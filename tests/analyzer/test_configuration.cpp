@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "analyzer/configuration.hpp"
+#include "analyzer/region.hpp"
 #include "common/error.hpp"
 #include "tests/support/throws_message.hpp"
 
@@ -148,11 +149,16 @@ TEST(AnalysisConfiguration, WindowsAreSizedForThePeriod) {
 
 TEST(AnalysisConfiguration, ARegionGoesNoFartherThanAFewWindowsBeyondTheParticles) {
     const std::string least = "density: 4430\nh_b: 75 um\n";
+    const auto check = [&](const std::string& range, const SourceInfo& info) {
+        const Config config = Config::parse(least + "x_range: [" + range + "]\n", "analysis.yaml");
+        const AnalysisConfig resolved = read_analysis_config(config, info);
+        check_reach(config, info, {resolved.x_begin, resolved.x_end}, 3 * resolved.particle_diameter);
+    };
     const auto refusal = [&](const std::string& range, const SourceInfo& info) {
-        return error(least + "x_range: [" + range + "]\n", info);
+        return message_of<InputError>([&] { check(range, info); });
     };
     const SourceInfo info = foreign_info(50e-6);
-    EXPECT_NO_THROW((void)read(least + "x_range: [-0.75 mm, 2.75 mm]\n", info));
+    EXPECT_NO_THROW(check("-0.75 mm, 2.75 mm", info));
     EXPECT_EQ(refusal("-1 mm, 2 mm", info),
               "analysis.yaml:3: x_range: the region x = -0.001 ... 0.002 m reaches 0.001 m beyond the particles, which "
               "lie between x = 0 and 0.002 m; give one that reaches no more than 0.00075 m beyond them");
@@ -167,8 +173,8 @@ TEST(AnalysisConfiguration, ARegionGoesNoFartherThanAFewWindowsBeyondTheParticle
     SourceInfo bare = state_info();
     bare.x_lower = 2.1e-3;
     bare.x_upper = 2.5e-3;
-    EXPECT_NO_THROW((void)read("x_range: [5 mm, 25 mm]\n", bare));
-    EXPECT_NE(error("x_range: [5 mm, 30 mm]\n", bare).find("reaches 0.003 m beyond the particles"), std::string::npos);
+    EXPECT_NO_THROW(check("5 mm, 25 mm", bare));
+    EXPECT_NE(refusal("5 mm, 30 mm", bare).find("reaches 0.003 m beyond the particles"), std::string::npos);
 }
 
 TEST(AnalysisConfiguration, ContactsGoByTheRadiiUnlessToldOtherwise) {

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(Windows, VoxelMap,
 // Voxels that fit the period, but not the windows.
 INSTANTIATE_TEST_SUITE_P(RectangularVoxels, VoxelMap,
                          ::testing::Values(Case{1, 3, 1, 4, 3.3, 2.6}, Case{1, 2, 1, 7, 2.45, 3.37},
-                                           Case{0.9, 1.8, 0.9, 5, 3.3, 3.37}));
+                                           Case{0.9, 1.8, 0.9, 5, 3.25, 3.37}));
 
 TEST(VoxelMaps, ConvergeToTheExactOnes) {
     const AnalysisConfig config = unit_config(8, 8);
