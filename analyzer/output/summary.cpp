@@ -106,8 +106,8 @@ std::string head(const Analysis& analysis, const AnalysisConfig& config) {
     text +=
         fmt::format("frame       d_p {:.6g} m, h_b {:.6g} m, base z = {:.6g} m\n", d, config.clearance, config.base);
     text += fmt::format("grid        {} x {} cells of {}\n", grid.nx, grid.ny, sides(grid, grid.spacing));
-    text += fmt::format("            windows of {} (density), {} (height)\n", sides(grid, config.phi_window),
-                        sides(grid, config.height_window));
+    text += fmt::format("            density over windows of {}\n", sides(grid, config.phi_window));
+    text += fmt::format("            height over windows of {}\n", sides(grid, config.height_window));
     text += fmt::format(
         "contacts    nearer than {:.6g} {} (contact_mode: {})\n", config.contact_factor,
         config.contact_mode == ContactMode::radii ? "times the sum of the radii" : "d_p, whatever the radii",

@@ -104,7 +104,8 @@ def test_a_grid_that_is_named_must_fit(good, refused, powder):
 @pytest.mark.parametrize("layer", ["powder", "lammps-layer.dump.gz"])
 def test_tables_fit_a_terminal(good, tmp_path, powder, layer):
     file = powder[0] if layer == "powder" else DUMPS / layer
-    for command in (["metrics", file], ["metrics", file, "--step", "all"], ["convergence", file]):
+    region = ["--region", "1.6234mm,1.9771mm"]
+    for command in (["metrics", file], ["metrics", file, *region], ["metrics", file, "--step", "all"], ["convergence", file]):
         lines = good(*command, *LEAST, *QUICK).splitlines()
         assert max(map(len, lines)) <= 80
         assert len(lines) > 1
