@@ -53,8 +53,8 @@ TEST(ChamberFloor, IsFarBelowTheHoleBetweenTouchingSpheres) {
                                       {4 + radius, 4 + std::numbers::sqrt3 * radius, 0.5, radius}},
                                      config);
         const ChamberPores pores = chamber_pore_metrics(layer, config).all;
-        ASSERT_EQ(pores.sizes.count, 1U);
-        EXPECT_NEAR(pores.sizes.max, 2 * radius * (2 / std::numbers::sqrt3 - 1), 1e-9);
+        ASSERT_GE(pores.sizes.count, 1U);  // and what is between the three and their images along y
+        EXPECT_NEAR(pores.sizes.sorted.front(), 2 * radius * (2 / std::numbers::sqrt3 - 1), 1e-9);
     }
 }
 

@@ -164,8 +164,18 @@ TEST(VoxelVolume, VoxelsAreStretchedToFitThePeriod) {
         }
     }
     EXPECT_EQ(volume.solid->activeVoxelCount(), count);
-    EXPECT_NEAR(openvdb::tools::levelSetVolume(*volume.distance) / (std::numbers::pi / 6 * std::pow(50.0, 3)),
-                1 + 2 * 1.728, 0.2);  // the second sphere is there at both ends of the period
+    for (auto value = volume.distance->cbeginValueOn(); value; ++value) {
+        const openvdb::Vec3d p =
+            (volume.distance->indexToWorld(value.getCoord()) - openvdb::Vec3d(1000, -100, 200)) / 50;
+        double nearest = 1e9;
+        for (const Ball& ball : balls) {
+            for (const int turn : {-1, 0, 1}) {
+                nearest = std::min(
+                    nearest, std::hypot(p.x() - ball.x, p.y() - ball.y + 4.5 * turn, p.z() - ball.z) - ball.radius);
+            }
+        }
+        ASSERT_NEAR(*value / 50, nearest, 1e-5);
+    }
 }
 
 TEST(VoxelVolume, OfAnEmptyLayerIsEmpty) {
