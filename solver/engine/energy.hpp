@@ -3,6 +3,7 @@
 #include "solver/contact/law.hpp"
 #include "solver/engine/engine.hpp"
 #include "solver/engine/snapshot.hpp"
+#include "solver/execution/reductions.hpp"
 
 namespace recoat {
 
@@ -12,22 +13,41 @@ struct KineticEnergy {
     [[nodiscard]] double total() const { return translation + rotation; }
 };
 
-/// Kinetic energy at the time of the positions [J].
+/// Kinetic energy of translation of particle i [J].
 template <class Sizes>
-KineticEnergy kinetic(const Particles& p, const Sizes& sizes) {
-    KineticEnergy sum;
-    for (std::size_t i = 0; i < p.size(); ++i) {
-        sum.translation += 0.5 * sizes.mass_of(p.position[i].w) * squared_norm(p.contact_velocity[i].xyz());
-        sum.rotation += 0.5 * sizes.inertia_of(p.position[i].w) * squared_norm(p.contact_spin[i].xyz());
+struct TranslationOf {
+    Sizes sizes;
+    const Row *position, *velocity;
+    RECOAT_HD double operator()(std::size_t i) const {
+        return 0.5 * sizes.mass_of(position[i].w) * squared_norm(velocity[i].xyz());
     }
-    return sum;
+};
+
+/// And of rotation [J].
+template <class Sizes>
+struct RotationOf {
+    Sizes sizes;
+    const Row *position, *spin;
+    RECOAT_HD double operator()(std::size_t i) const {
+        return 0.5 * sizes.inertia_of(position[i].w) * squared_norm(spin[i].xyz());
+    }
+};
+
+/// Kinetic energy at the time of the positions, summed where the particles are [J].
+template <class Space, class Sizes>
+KineticEnergy kinetic(Space& space, const ParticleArrays<Space>& p, const Sizes& sizes) {
+    const Row* position = p.position.data();
+    const auto sums = space.reduce(SumOf<TranslationOf<Sizes>>{p.size(), {sizes, position, p.contact_velocity.data()}},
+                                   SumOf<RotationOf<Sizes>>{p.size(), {sizes, position, p.contact_spin.data()}});
+    return {sums[0], sums[1]};
 }
 
 /// Kinetic and gravitational energy; the latter is 0 for centres in the origin [J].
 template <class Sizes>
 EnergyLedger particle_energies(const Particles& p, const Sizes& sizes, Vec3 gravity) {
     EnergyLedger ledger;
-    const KineticEnergy motion = kinetic(p, sizes);
+    OpenMP space(1);
+    const KineticEnergy motion = kinetic(space, p, sizes);
     ledger.kinetic_translation = motion.translation;
     ledger.kinetic_rotation = motion.rotation;
     for (std::size_t i = 0; i < p.size(); ++i)

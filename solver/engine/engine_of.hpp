@@ -4,6 +4,7 @@
 #include <memory>
 #include <utility>
 
+#include "solver/engine/energy.hpp"
 #include "solver/engine/engine.hpp"
 #include "solver/engine/fault.hpp"
 #include "solver/engine/observation.hpp"
@@ -58,7 +59,9 @@ public:
     [[nodiscard]] std::int64_t step() const override { return s_.step; }
     [[nodiscard]] double time() const override { return static_cast<double>(s_.step) * setup_.time_step; }
     [[nodiscard]] ParticleTable particles() const override { return table_of(host_particles(), setup_); }
-    [[nodiscard]] double kinetic_energy() const override { return kinetic_energy_of(host_particles(), setup_); }
+    [[nodiscard]] double kinetic_energy() const override {
+        return kinetic(space_, s_.particles, passes_.sizes()).total();
+    }
     [[nodiscard]] double largest_overlap() const override { return s_.largest_overlap / setup_.diameter; }
     [[nodiscard]] const std::vector<Wall>& walls() const override { return s_.walls.now(); }
     [[nodiscard]] EngineState save() const override { return saved(snapshot()); }

@@ -128,9 +128,4 @@ EnergyLedger ledger_of(const Snapshot& snapshot, const EngineSetup& setup) {
     return ledger;
 }
 
-double kinetic_energy_of(const Particles& particles, const EngineSetup& setup) {
-    return with_scene_types(setup, particles,
-                            [&](const auto& sizes, auto, auto) { return kinetic(particles, sizes).total(); });
-}
-
 }  // namespace recoat

@@ -22,9 +22,6 @@ Totals next_bookings(Snapshot snapshot, const EngineSetup& setup);
 /// Energies that particles and contacts hold now, and lost since the start [J].
 EnergyLedger ledger_of(const Snapshot& snapshot, const EngineSetup& setup);
 
-/// Kinetic energy of translation and rotation [J].
-double kinetic_energy_of(const Particles& particles, const EngineSetup& setup);
-
 /// Fills in what a snapshot leaves out because it follows from the rest: where contacts are found, room for a step.
 void complete(Snapshot& snapshot, const EngineSetup& setup);
 

@@ -1,3 +1,4 @@
+#include <numbers>
 #include <thread>
 
 #include <gtest/gtest.h>
@@ -46,6 +47,24 @@ TEST(DeviceSharing, TheSceneHasManyBlocksAndItsListsChange) {
     EXPECT_GT(scene.particles.size(), 8u * 128u);
     EXPECT_GT(engine->contacts().size(), 100u);
     EXPECT_NE(engine->contacts().size(), before);
+}
+
+// What looks for rest asks often: it must not fetch the particles.
+TEST(DeviceSharing, KineticEnergyIsThatOfTheParticlesAndOneWait) {
+    const EngineScene& scene = scenes().back();
+    const auto engine = scene.engine();
+    engine->advance(5);
+    const std::uint64_t waits = host_device.waits;
+    const double found = engine->kinetic_energy();
+    EXPECT_EQ(host_device.waits - waits, 1u);
+    const ParticleTable table = engine->particles();
+    double expected = 0;
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        const double r = table.radius[i], mass = 4.0 / 3 * std::numbers::pi * r * r * r * scene.setup.model.density;
+        const double spin = squared_norm(table.angular_velocity[i]);
+        expected += 0.5 * mass * (squared_norm(table.velocity[i]) + 0.4 * r * r * spin);
+    }
+    EXPECT_NEAR(found, expected, 1e-12 * expected);
 }
 
 // Cases of a sweep, each with a thread and a stream of its own: none changes a bit of another.
