@@ -53,24 +53,29 @@ std::string suspect(const Engine& engine, const ParticleTable& particles, const 
 
 }  // namespace
 
-double energy_scale(const Scene& scene, const EnergyLedger& start, const EnergyLedger& end,
-                    const ParticleTable& particles) {
+double total_mass(const ParticleTable& particles, double density) {
     double mass = 0;
-    for (const double radius : particles.radius) mass += sphere_mass(radius, scene.model.density);
+    for (const double radius : particles.radius) mass += sphere_mass(radius, density);
+    return mass;
+}
+
+double energy_scale(const Scene& scene, const EnergyLedger& start, const EnergyLedger& end, double mass) {
     return energy_balance(start, end).exchanged + EnergyWatch::always * mass * scene.reference_gravity * scene.diameter;
 }
 
+EnergyWatch::EnergyWatch(const Scene& scene, const EnergyLedger& start, const ParticleTable& particles)
+    : scene_(scene), start_(start), mass_(total_mass(particles, scene.model.density)) {}
+
 void EnergyWatch::check(const Engine& engine) const {
     const EnergyLedger now = engine.ledger();
-    const ParticleTable particles = engine.particles();
-    const double error = energy_balance(start_, now).error, scale = energy_scale(scene_, start_, now, particles);
+    const double error = energy_balance(start_, now).error, scale = energy_scale(scene_, start_, now, mass_);
     if (std::abs(error) <= limit * scale) return;
     throw SimulationFault(
         fmt::format("step {} (t = {:.6g} s): energy {}: {:.3g} J, {:.3g} of all energy exchanged since the start and "
                     "more than {:g} "
                     "of it, are not accounted for; the time step is too large for the contacts ({}): reduce time_step",
                     engine.step(), engine.time(), error > 0 ? "appears" : "vanishes", error, std::abs(error) / scale,
-                    limit, suspect(engine, particles, scene_)));
+                    limit, suspect(engine, engine.particles(), scene_)));
 }
 
 }  // namespace recoat

@@ -18,8 +18,8 @@ public:
     /// rest that must not look like an instability, which passes any such bound within some steps.
     static constexpr double always = 1;
 
-    /// `start`: ledger at the start of the run.
-    EnergyWatch(const Scene& scene, const EnergyLedger& start) : scene_(scene), start_(start) {}
+    /// `start`: ledger at the start of the run; `particles`: those of the run, at any time.
+    EnergyWatch(const Scene& scene, const EnergyLedger& start, const ParticleTable& particles);
 
     /// Throws SimulationFault with a sentence that names the step, the stiffest contact and the cause.
     void check(const Engine& engine) const;
@@ -27,10 +27,13 @@ public:
 private:
     const Scene& scene_;
     EnergyLedger start_;
+    double mass_;  ///< of all particles [kg]
 };
 
-/// What the watch compares with: the energy exchanged between two moments, and m g d_p of all particles [J].
-double energy_scale(const Scene& scene, const EnergyLedger& start, const EnergyLedger& end,
-                    const ParticleTable& particles);
+/// What the watch compares with: the energy exchanged between two moments, and m g d_p of particles of `mass` [J].
+double energy_scale(const Scene& scene, const EnergyLedger& start, const EnergyLedger& end, double mass);
+
+/// Of all particles [kg].
+double total_mass(const ParticleTable& particles, double density);
 
 }  // namespace recoat

@@ -41,7 +41,7 @@ StageRunner::StageRunner(const Scene& scene, const RunOptions& options, Engine& 
       trajectory_(options.folder),
       particles_(engine.particles().size()),
       line_(options.quiet, particles_, options.name),
-      energy_watch_(scene, progress_.start),
+      energy_watch_(scene, progress_.start, engine.particles()),
       counted_(Clock::now()),
       saved_(Clock::now()) {}
 

@@ -22,7 +22,7 @@ struct Cells {
     std::int64_t along[3];  ///< number of cells
     bool periodic;
 
-    [[nodiscard]] std::int64_t count() const { return along[0] * along[1] * along[2]; }
+    [[nodiscard]] RECOAT_HD std::int64_t count() const { return along[0] * along[1] * along[2]; }
 
     RECOAT_HD std::int64_t coordinate(int axis, const Row& position) const {
         const double x = axis == 0 ? position.x : axis == 1 ? position.y : position.z;

@@ -8,11 +8,12 @@ namespace recoat {
 /// Where a loop over contacts finds them.
 struct ContactLayout {
     const std::int32_t* offsets;  ///< as ContactArrays::offsets
-    std::size_t particles, walls;
+    const StepControl* control;   ///< tells how many particles are awake: only they have contacts here
+    std::size_t walls;
     const WallAnchor* wall;  ///< [walls]
 
     RECOAT_HD std::size_t wall_begin(std::size_t w) const {
-        return static_cast<std::size_t>(offsets[particles * (1 + w)]);
+        return static_cast<std::size_t>(offsets[control->awake * (1 + w)]);
     }
     RECOAT_HD std::size_t size() const { return wall_begin(walls); }
 };
@@ -81,7 +82,7 @@ auto contact_loop(const StepGate& gate, double* peak, const Sizes& sizes, Period
         gate, peak, pairs, planes, boxes, layout, time_step, capacity};
 }
 
-/// A pass over every particle.
+/// A pass over every particle that is awake.
 template <class Pass>
 struct ParticleLoop {
     static constexpr bool vector = false, measures = true;
@@ -91,12 +92,12 @@ struct ParticleLoop {
     std::size_t capacity;  ///< number of particles
 
     RECOAT_HD bool open() const { return gate.open(); }
-    RECOAT_HD std::size_t size() const { return capacity; }
+    RECOAT_HD std::size_t size() const { return gate.control->awake; }
     RECOAT_HD double operator()(std::size_t i) const { return pass(i); }
 
     template <class Function>
     void segments(const Function& f) const {
-        f(pass, capacity);
+        f(pass, size());
     }
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <utility>
 
 #include "solver/engine/energy.hpp"
@@ -28,7 +29,7 @@ public:
         : setup_(setup),
           space_(setup.resources),
           passes_(setup, sizes, smallest_radius(setup, snapshot.particles)),
-          lists_(setup) {
+          lists_(setup, smallest_radius(setup, snapshot.particles)) {
         if constexpr (Space::on_host)
             tiles_ = make_tile_stepper(setup, Sizes::equal ? sizes.radius_of(0.0) : 0,
                                        smallest_radius(setup, snapshot.particles));
@@ -65,13 +66,17 @@ public:
     [[nodiscard]] double largest_overlap() const override { return s_.largest_overlap / setup_.diameter; }
     [[nodiscard]] const std::vector<Wall>& walls() const override { return s_.walls.now(); }
     [[nodiscard]] EngineState save() const override { return saved(snapshot()); }
-    [[nodiscard]] EnergyLedger ledger() const override { return ledger_of(snapshot(), setup_); }
+    [[nodiscard]] EnergyLedger ledger() const override {
+        if (!ledger_) ledger_ = ledger_of(snapshot(), setup_);
+        return *ledger_;
+    }
     [[nodiscard]] std::vector<ContactState> contacts() const override { return contacts_of(snapshot(), setup_); }
 
     void set_wall_velocity(std::size_t wall, Vec3 velocity) override {
         s_.walls.drive(wall, velocity, s_.step);
         upload_walls();
-        seen_ = Seen::nothing;
+        lists_.wall_driven(space_, s_, anchors_);
+        changed();
         keep();
     }
 
@@ -82,13 +87,13 @@ public:
         const Totals booked = next_bookings(snapshot(), setup_);
         s_.walls.remove(wall);
         upload_walls();
-        lists_.refresh(space_, s_, anchors_);
-        seen_ = Seen::nothing;
+        lists_.wall_removed(space_, s_, anchors_);
+        changed();
         s_.totals.removed_with_walls += before - held(ledger());
         // What its contacts have lost up to now stays lost.
         s_.totals.add(booked, 0.5);
         s_.totals.add(next_bookings(snapshot(), setup_), -0.5);
-        seen_ = Seen::nothing;
+        changed();
         keep();
     }
 
@@ -102,16 +107,17 @@ private:
             if (s_.step - kept_.step >= limits::steps_per_copy) keep();
             if (control().stale()) lists_.refresh(space_, s_, anchors_);
             StepControl c = control();
-            c.target = std::min(target, kept_.step + limits::steps_per_copy);
+            c.target = std::min({target, kept_.step + limits::steps_per_copy, lists_.next_look(s_)});
             run(c);
             if (c.halt == Halt::deep || c.halt == Halt::fast) return c.halt;
+            lists_.look(space_, s_, anchors_);
         }
         return Halt::none;
     }
 
     /// Makes steps until something stops them; `control` then says what.
     void run(StepControl& control) {
-        seen_ = Seen::nothing;
+        changed();
         if constexpr (Space::on_host)
             run_tiles(control);
         else
@@ -165,6 +171,7 @@ private:
     [[nodiscard]] StepControl control() const {
         StepControl c;
         c.step = s_.step;
+        c.awake = s_.awake;
         c.margin = s_.margin;
         c.travelled = s_.travelled;
         c.last_travel = s_.last_travel;
@@ -185,7 +192,7 @@ private:
         copy_snapshot(kept_, s_, [&](const auto& from, auto& to) { space_.copy(from, to); });
         upload_walls();
         lists_.restore(space_, s_);
-        seen_ = Seen::nothing;
+        changed();
         run_until(step);
     }
 
@@ -194,9 +201,9 @@ private:
         const std::size_t n = s_.particles.size();
         s_.last_travel = setup_.time_step * largest_norm(space_, s_.particles.velocity.data(), n);
         space_.fill(s_.contacts.offsets, n * (1 + s_.walls.now().size()) + 1, std::int32_t{0});
+        space_.fill(s_.dormant.offsets, 1, std::int32_t{0});
         lists_.refresh(space_, s_, anchors_);
-        if constexpr (Space::on_host)
-            complete_list(space_, s_.contacts, setup_.model, n, s_.walls.now().size());
+        if constexpr (Space::on_host) complete_list(space_, s_.contacts, setup_.model, n, n);
         control_.assign(space_, control());
         if constexpr (cohesive) space_.run(passes_.first_attraction(s_, memory()));
         space_.run(passes_.contacts(s_, memory(), 0));
@@ -204,10 +211,16 @@ private:
         if constexpr (Space::on_host) s_.contacts.drop_scratch();
         s_.fresh = false;
         s_.totals.add(next_bookings(snapshot(), setup_), -0.5);
-        seen_ = Seen::nothing;
+        changed();
     }
 
     void upload_walls() { space_.copy(s_.walls.anchors(), anchors_); }
+
+    /// Forgets what the host has seen.
+    void changed() {
+        seen_ = Seen::nothing;
+        ledger_.reset();
+    }
 
     /// What the host sees.
     [[nodiscard]] const Snapshot& snapshot() const {
@@ -242,8 +255,9 @@ private:
     Array<WallAnchor> anchors_;
     Value<Space, StepControl> control_;
     std::unique_ptr<TileStepper> tiles_;  ///< a processor's step
-    mutable Snapshot host_;  ///< the copy that the host has of a device's snapshot
+    mutable Snapshot host_;               ///< the copy that the host has of a device's snapshot
     mutable Seen seen_ = Seen::nothing;
+    mutable std::optional<EnergyLedger> ledger_;  ///< of now, once it has been asked for
 };
 
 /// An engine of the types that the scene needs.

@@ -4,15 +4,15 @@
 
 namespace recoat {
 
-/// First particle of each cell, for particles in spatial order; `key` is scratch.
+/// First particle of each cell, of the particles [begin, end), which are in spatial order; `key` is scratch.
 template <class Space>
-void find_cells(Space& space, const typename Space::template Array<Row>& position, const Cells& cells,
+void find_cells(Space& space, const Row* position, std::size_t begin, std::size_t end, const Cells& cells,
                 typename Space::template Array<std::int64_t>& key,
                 typename Space::template Array<std::int32_t>& start) {
-    const std::size_t n = position.size();
+    const std::size_t n = end - begin;
     key.resize(n);
     start.resize(static_cast<std::size_t>(cells.count()) + 1);
-    const Row* rows = position.data();
+    const Row* rows = position + begin;
     std::int64_t* cell = key.data();
     std::int32_t* first = start.data();
     space.for_each(n, [=] RECOAT_LAMBDA(std::size_t i) { cell[i] = cells.key(rows[i]); });
@@ -25,9 +25,21 @@ void find_cells(Space& space, const typename Space::template Array<Row>& positio
             else
                 upper = middle;
         }
-        first[c] = static_cast<std::int32_t>(lower);
+        first[c] = static_cast<std::int32_t>(begin + lower);
     });
 }
+
+/// Finds the partners of a particle among the awake, who come first, and the sleepers.
+struct PartnerSearch {
+    NeighbourSearch awake, asleep;
+    std::size_t count_awake, count;
+
+    template <class Found>
+    RECOAT_HD void operator()(std::size_t i, Found&& found) const {
+        if (i < count_awake) awake(static_cast<std::int32_t>(i), found);
+        if (count_awake < count) asleep(static_cast<std::int32_t>(i), found);
+    }
+};
 
 /// Pairs that could come close for a while: every pair with separation below a skin, found over cells.
 /// Sorted by (first, second), first < second.
@@ -39,18 +51,24 @@ struct FarList {
     Array<std::int32_t> begin;   ///< [N + 1] where each particle's partners start
     Array<std::int32_t> second;  ///< ascending within each particle
 
-    /// `position` must be in spatial order for the same skin.
-    void build(Space& space, const Array<Row>& position, double skin, double y_min, double y_period) {
+    /// The first `awake` of the particles must be in spatial order for the same skin, and so must the others.
+    void build(Space& space, const Array<Row>& position, std::size_t awake, double skin, double y_min,
+               double y_period) {
         const std::size_t n = position.size();
         const Extent extent = extent_of(space, position.data(), n);
         const Cells cells = make_cells(extent, 2 * extent.largest_radius + skin, y_min, y_period);
-        find_cells(space, position, cells, key_, start_);
-        const NeighbourSearch search{position.data(), cells, start_.data(), Period(y_period), skin};
+        find_cells(space, position.data(), 0, awake, cells, key_, start_);
+        if (awake < n) find_cells(space, position.data(), awake, n, cells, key_, asleep_start_);
+        const Period period(y_period);
+        const PartnerSearch search{{position.data(), cells, start_.data(), period, skin},
+                                   {position.data(), cells, asleep_start_.data(), period, skin},
+                                   awake,
+                                   n};
         begin.resize(n + 1);
         std::int32_t* counts = begin.data();
         space.for_each(n + 1, [=] RECOAT_LAMBDA(std::size_t i) {
             std::int32_t count = 0;
-            if (i < n) search(static_cast<std::int32_t>(i), [&count](std::int32_t) { ++count; });
+            if (i < n) search(i, [&count](std::int32_t) { ++count; });
             counts[i] = count;
         });
         space.exclusive_scan(begin);
@@ -59,7 +77,7 @@ struct FarList {
         space.for_each(n, [=] RECOAT_LAMBDA(std::size_t i) {
             const std::int32_t first = counts[i];
             std::int32_t end = first;
-            search(static_cast<std::int32_t>(i), [&end, out, first](std::int32_t j) {
+            search(i, [&end, out, first](std::int32_t j) {
                 std::int32_t at = end++;
                 for (; at > first && out[at - 1] > j; --at) out[at] = out[at - 1];
                 out[at] = j;
@@ -69,7 +87,7 @@ struct FarList {
 
 private:
     Array<std::int64_t> key_;
-    Array<std::int32_t> start_;
+    Array<std::int32_t> start_, asleep_start_;
 };
 
 }  // namespace recoat

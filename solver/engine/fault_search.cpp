@@ -53,6 +53,7 @@ SimulationFault too_fast(Snapshot& s, const EngineSetup& setup, const Sizes& siz
     OpenMP space(1);
     StepControl control;
     control.step = s.step;
+    control.awake = s.awake;
     const std::vector<WallAnchor> anchors = s.walls.anchors();
     const StepMemory memory{&control, anchors.data()};
     space.run(passes.contacts(s, memory, setup.time_step));

@@ -16,11 +16,10 @@ std::int64_t identity(const Snapshot& s, std::int32_t place) {
     return place < 0 ? place : s.particles.id[static_cast<std::size_t>(place)];
 }
 
-/// Calls f(contact, meeting, coefficients) for every listed contact, in order.
+/// Calls f(contact, meeting, coefficients) for every contact of a list, in order.
 template <class Sizes, class Function>
-void visit_meetings(Snapshot& s, const EngineSetup& setup, const Sizes& sizes, const Function& f) {
+void visit_meetings(Snapshot& s, const Contacts& c, const EngineSetup& setup, const Sizes& sizes, const Function& f) {
     const ParticleView p = s.particles.view();
-    const Contacts& c = s.contacts;
     visit_partners(setup, sizes, s.walls.now(), c, [&](const auto& partner, std::size_t from, std::size_t count) {
         for (std::size_t k = from; k < from + count; ++k)
             f(k, partner.meet(p, c.first[k], c.second[k]), partner.coefficients(p, c.first[k], c.second[k]));
@@ -42,6 +41,7 @@ struct HostStep {
           space(setup.resources.threads),
           anchors(snapshot.walls.anchors()) {
         control.step = s.step;
+        control.awake = s.awake;
     }
 
     [[nodiscard]] StepMemory memory() { return {&control, anchors.data()}; }
@@ -68,11 +68,38 @@ std::vector<ContactState> ordered(std::vector<ContactState> contacts) {
     return contacts;
 }
 
+/// Counts sleepers, and their contacts, among the awake.
+void wake(Snapshot& s) {
+    Contacts both;
+    both.pairs = s.contacts.pairs + s.dormant.pairs;
+    both.wall_begin.push_back(both.pairs);
+    const auto append = [&](Contacts& from, std::size_t begin, std::size_t end) {
+        from.each_saved(both, [&](const auto& part, auto& whole) {
+            whole.insert(whole.end(), part.begin() + static_cast<std::ptrdiff_t>(begin),
+                         part.begin() + static_cast<std::ptrdiff_t>(end));
+        });
+    };
+    append(s.contacts, 0, s.contacts.pairs);
+    append(s.dormant, 0, s.dormant.pairs);
+    for (std::size_t w = 0; w + 1 < s.contacts.wall_begin.size(); ++w) {
+        append(s.contacts, s.contacts.wall_begin[w], s.contacts.wall_begin[w + 1]);
+        append(s.dormant, s.dormant.wall_begin[w], s.dormant.wall_begin[w + 1]);
+        both.wall_begin.push_back(both.size());
+    }
+    s.contacts = std::move(both);
+    s.dormant = {};
+    s.awake = s.particles.size();
+    s.lost_rolling.resize(s.awake, 0.0);
+}
+
 }  // namespace
 
 void complete(Snapshot& s, const EngineSetup& setup) {
     OpenMP space(setup.resources.threads);
-    complete_list(space, s.contacts, setup.model, s.particles.size(), s.walls.now().size());
+    const std::size_t n = s.particles.size();
+    if (s.awake < n) wake(s);
+    list_offsets(space, s.contacts, 0, n, s.walls.now().size());
+    complete_list(space, s.contacts, setup.model, n, n);
 }
 
 std::vector<ContactState> contacts_of(Snapshot s, const EngineSetup& setup) {
@@ -82,7 +109,8 @@ std::vector<ContactState> contacts_of(Snapshot s, const EngineSetup& setup) {
         step.space.run(step.passes.contacts(now, step.memory(), 0));
         std::vector<ContactState> found;
         visit_meetings(
-            now, setup, step.passes.sizes(), [&](std::size_t k, const Meeting& meeting, const Coefficients&) {
+            now, now.contacts, setup, step.passes.sizes(),
+            [&](std::size_t k, const Meeting& meeting, const Coefficients&) {
                 if (meeting.separation > (cohesive ? setup.model.cut_off : 0.0)) return;
                 const Vec3 force = now.contacts.force[k].force();
                 const double along = dot(force, meeting.normal);
@@ -109,10 +137,12 @@ EnergyLedger ledger_of(const Snapshot& snapshot, const EngineSetup& setup) {
     EnergyLedger ledger = with_host_step(s, setup, [&](auto& step, auto) {
         const auto& passes = step.passes;
         EnergyLedger stored = particle_energies(s.particles, passes.sizes(), setup.gravity);
-        visit_meetings(s, setup, passes.sizes(), [&](std::size_t k, const Meeting& m, const Coefficients& c) {
-            add_contact_energy(stored, passes.law(), passes.attraction(), m.separation, s.contacts.attraction[k],
-                               s.contacts.slip(k), c);
-        });
+        for (const Contacts* contacts : {&s.contacts, &s.dormant})
+            visit_meetings(s, *contacts, setup, passes.sizes(),
+                           [&](std::size_t k, const Meeting& m, const Coefficients& c) {
+                               add_contact_energy(stored, passes.law(), passes.attraction(), m.separation,
+                                                  contacts->attraction[k], contacts->slip(k), c);
+                           });
         return stored;
     });
     OpenMP space(setup.resources.threads);

@@ -5,54 +5,75 @@
 #include "solver/engine/close_list.hpp"
 #include "solver/engine/limits.hpp"
 #include "solver/engine/particle_loops.hpp"
+#include "solver/engine/sleep.hpp"
 #include "solver/engine/spatial_sort.hpp"
 
 namespace recoat {
 
-/// Keeps the pair lists of a snapshot: a far list over cells, and a close list made from it. Particles are sorted in
-/// space whenever the far list is made anew.
+/// Keeps the pair lists of a snapshot: a far list over cells, and close lists made from it, one of what moves and one
+/// of what sleeps. Whenever the far list is made anew, particles are sorted in space, and who sleeps is chosen.
 template <class Space>
 class PairLists {
 public:
     template <class T>
     using Array = typename Space::template Array<T>;
 
-    explicit PairLists(const EngineSetup& setup) : setup_(setup), domain_(setup) {}
+    /// `smallest`: radius of the smallest particle [m].
+    PairLists(const EngineSetup& setup, double smallest) : setup_(setup), domain_(setup), sleep_(setup, smallest) {}
 
-    /// Makes the close list anew, and the far list and the order of the particles where they have gone stale.
+    /// Makes the close list of what moves anew, and all else where the far list has gone stale or `sort` says so.
     /// Throws SimulationFault when a particle has left the domain.
-    void refresh(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls) {
+    void refresh(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls, bool sort = false) {
         s.totals.add(space, s.contacts, s.lost_rolling);
         clear_counters(space, s.contacts, s.lost_rolling);
         const double speed = std::max(s.last_travel, s.walls.fastest() * setup_.time_step);
         s.margin = std::clamp(2 * speed * setup_.skins.close_steps, limits::least_margin * setup_.diameter,
                               limits::most_margin * setup_.diameter);
-        const bool sorted = far_is_stale(space, s);
-        if (sorted) {
-            require_inside(space, s);
-            sort_(space, s.particles, skin(), setup_.y_min, setup_.y_period);
-            far_.build(space, s.particles.position, skin(), setup_.y_min, setup_.y_period);
-            space.copy(s.particles.position, s.far_reference);
+        const std::size_t n = s.particles.size(), had_slept = n - s.awake;
+        history_.awake.take(space, s.contacts, 0, s.awake);
+        if (sort || far_is_stale(space, s)) {
+            history_.asleep.take(space, s.dormant, s.awake, had_slept);
+            this->sort(space, s, walls);
+            const std::int32_t* order = sort_.order().data();
+            if (had_slept > 0 || s.awake < n)
+                make_close_list(space, input(s, walls, s.awake, n - s.awake, order), far_, history_, s.dormant);
+            make_close_list(space, input(s, walls, 0, s.awake, order), far_, history_, s.contacts);
+        } else {
+            make_close_list(space, input(s, walls, 0, s.awake, nullptr), far_, history_, s.contacts);
         }
-        const CloseListInput input{s.particles.position.data(),
-                                   s.particles.size(),
-                                   walls.data(),
-                                   s.walls.now().size(),
-                                   s.step,
-                                   setup_.time_step,
-                                   setup_.y_period,
-                                   range() + s.margin,
-                                   setup_.model.hamaker > 0,
-                                   setup_.model.rolling_form == RollingForm::relative,
-                                   sorted ? sort_.order().data() : nullptr};
-        make_close_list(space, input, far_, history_, s.contacts);
+        space.fill(s.lost_rolling, s.awake, 0.0);
+        // A processor adds contacts up while it goes through them.
+        if constexpr (!Space::on_host) complete_list(space, s.contacts, setup_.model, s.awake, n);
         s.travelled = 0;
+        if (sleep_.disturbed(space, s)) refresh(space, s, walls, true);
+    }
+
+    /// Step at which to look who has come to rest or has been disturbed, the next after this.
+    [[nodiscard]] std::int64_t next_look(const SnapshotOf<Space>& s) const { return sleep_.next_look(s); }
+
+    /// Looks, if this is such a step.
+    void look(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls) {
+        if (sleep_.look_is_due(s) && sleep_.look(space, s)) refresh(space, s, walls, true);
+    }
+
+    /// To be called when a wall begins to move otherwise.
+    void wall_driven(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls) {
+        if (s.awake < s.particles.size()) refresh(space, s, walls, true);
+    }
+
+    /// To be called when a wall has gone: wakes everybody.
+    void wall_removed(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls) {
+        rouse(space, s);
+        refresh(space, s, walls, s.awake < s.particles.size());
     }
 
     /// Fills in what a saved snapshot leaves out.
     void restore(Space& space, SnapshotOf<Space>& s) {
-        far_.build(space, s.far_reference, skin(), setup_.y_min, setup_.y_period);
-        complete_list(space, s.contacts, setup_.model, s.particles.size(), s.walls.now().size());
+        const std::size_t n = s.particles.size(), count = s.walls.now().size();
+        far_.build(space, s.far_reference, s.awake, skin(), setup_.y_min, setup_.y_period);
+        list_offsets(space, s.contacts, 0, s.awake, count);
+        list_offsets(space, s.dormant, s.awake, n - s.awake, count);
+        if constexpr (!Space::on_host) complete_list(space, s.contacts, setup_.model, s.awake, n);
     }
 
 private:
@@ -60,10 +81,32 @@ private:
     [[nodiscard]] double skin() const { return range() + setup_.skins.far * setup_.diameter; }
 
     bool far_is_stale(Space& space, const SnapshotOf<Space>& s) const {
-        if (s.far_reference.empty()) return true;
-        const double moved =
-            largest_displacement(space, s.particles.position.data(), s.far_reference.data(), s.particles.size());
+        if (s.far_reference.empty() || sleep_.wall_is_near(s)) return true;
+        const double moved = largest_displacement(space, s.particles.position.data(), s.far_reference.data(), s.awake);
         return range() + s.margin + 2 * moved > skin();
+    }
+
+    void sort(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls) {
+        require_inside(space, s);
+        sort_(space, s.particles, skin(), setup_.y_min, setup_.y_period, sleep_.choose(space, s, far_, walls.data()));
+        sort_.follow(space, s.rest);
+        sleep_.fall_asleep(space, s);
+        far_.build(space, s.particles.position, s.awake, skin(), setup_.y_min, setup_.y_period);
+        space.copy(s.particles.position, s.far_reference);
+    }
+
+    [[nodiscard]] CloseListInput input(const SnapshotOf<Space>& s, const Array<WallAnchor>& walls, std::size_t begin,
+                                       std::size_t count, const std::int32_t* old_place) const {
+        return {s.particles.position.data(),
+                begin,
+                count,
+                walls.data(),
+                s.walls.now().size(),
+                s.step,
+                setup_.time_step,
+                setup_.y_period,
+                range() + s.margin,
+                old_place};
     }
 
     void require_inside(Space& space, const SnapshotOf<Space>& s) const {
@@ -78,6 +121,7 @@ private:
     DomainCheck domain_;
     FarList<Space> far_;
     SpatialSort<Space> sort_;
+    Sleep<Space> sleep_;
     ContactHistory<Space> history_;
 };
 

@@ -20,7 +20,10 @@ Snapshot initial_snapshot(const ParticleTable& table, std::vector<Wall> walls) {
         particles.id[i] = static_cast<std::int64_t>(i);
     }
     snapshot.lost_rolling.assign(n, 0.0);
+    snapshot.awake = n;
+    for (const Vec3 x : table.position) snapshot.rest.push_back(row(x, 0));
     snapshot.contacts.wall_begin.assign(snapshot.walls.now().size() + 1, 0);
+    snapshot.dormant.wall_begin = snapshot.contacts.wall_begin;
     return snapshot;
 }
 

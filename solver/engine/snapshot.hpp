@@ -19,13 +19,18 @@ struct SnapshotOf {
     using Array = typename Space::template Array<T>;
 
     std::int64_t step = 0;
-    bool fresh = true;  ///< not yet started: no lists, velocities at the time of the positions
+    bool fresh = true;      ///< not yet started: no lists, velocities at the time of the positions
+    std::size_t awake = 0;  ///< the first of the particles; the others neither move nor turn
     ParticleArrays<Space> particles;
     MovingWalls walls;
-    ContactArrays<Space> contacts;
-    Array<Row> far_reference;    ///< positions when the far list was made
-    Array<double> lost_rolling;  ///< [N] energy taken by rolling resistance since the list was made [J]
+    ContactArrays<Space> contacts;  ///< of the awake with each other, with sleepers and with walls
+    ContactArrays<Space> dormant;   ///< of sleepers with each other and with walls, as they were
+    Array<Row> rest;                ///< places near which particles have stayed [m], and since which step
+    Array<Row> far_reference;       ///< positions when the far list was made
+    Array<double> lost_rolling;     ///< [awake] energy taken by rolling resistance since the list was made [J]
     Totals totals;
+    std::int64_t sorted_at = 0;  ///< step in which the far list was made and who sleeps was chosen
+    std::int64_t calm = 0;       ///< awake particles that were quiet then
     double margin = 0;           ///< the close list holds until particles have come closer by this [m]
     double travelled = 0;        ///< bound of any particle's or wall's way since then [m]
     double last_travel = 0;      ///< the same for the last step [m]
@@ -36,6 +41,8 @@ struct SnapshotOf {
     void each_saved(Other& other, const Function& f) {
         particles.each_saved(other.particles, f);
         contacts.each_saved(other.contacts, f);
+        dormant.each_saved(other.dormant, f);
+        f(rest, other.rest);
         f(far_reference, other.far_reference);
         f(lost_rolling, other.lost_rolling);
     }
@@ -53,8 +60,13 @@ void copy_snapshot(SnapshotOf<From>& from, SnapshotOf<To>& to, const Copy& copy)
     to.step = from.step;
     to.fresh = from.fresh;
     to.walls = from.walls;
+    to.awake = from.awake;
     to.contacts.pairs = from.contacts.pairs;
     to.contacts.wall_begin = from.contacts.wall_begin;
+    to.dormant.pairs = from.dormant.pairs;
+    to.dormant.wall_begin = from.dormant.wall_begin;
+    to.sorted_at = from.sorted_at;
+    to.calm = from.calm;
     to.totals = from.totals;
     to.margin = from.margin;
     to.travelled = from.travelled;

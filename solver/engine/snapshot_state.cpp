@@ -8,6 +8,21 @@ namespace recoat {
 namespace {
 
 /// One description of a saved snapshot, run once to write and once to read: `archive.reals(name, vector)` and so on.
+template <class Archive, class Contacts>
+void describe_contacts(Archive& archive, const std::string& list, Contacts& c) {
+    archive.size(list + "/pairs", c.pairs);
+    archive.indices(list + "/first", c.first);
+    archive.indices(list + "/second", c.second);
+    archive.sizes(list + "/wall_begin", c.wall_begin);
+    archive.reals(list + "/slip_x", c.slip_x);
+    archive.reals(list + "/slip_y", c.slip_y);
+    archive.reals(list + "/slip_z", c.slip_z);
+    archive.reals(list + "/attraction", c.attraction);
+    archive.reals(list + "/lost_normal", c.lost_normal);
+    archive.reals(list + "/lost_tangential", c.lost_tangential);
+    archive.reals(list + "/wall_work", c.wall_work);
+}
+
 template <class Archive, class Self>
 void describe(Archive& archive, Self& s) {
     archive.integer("step", s.step);
@@ -18,23 +33,19 @@ void describe(Archive& archive, Self& s) {
     archive.rows("particles/contact_velocity", s.particles.contact_velocity);
     archive.rows("particles/contact_spin", s.particles.contact_spin);
     archive.rows("particles/acceleration", s.particles.acceleration);
+    archive.rows("particles/rest", s.rest);
+    archive.size("particles/awake", s.awake);
     archive.rows("lists/far_reference", s.far_reference);
     archive.reals("lists/lost_rolling", s.lost_rolling);
-    archive.indices("contacts/first", s.contacts.first);
-    archive.indices("contacts/second", s.contacts.second);
-    archive.sizes("contacts/wall_begin", s.contacts.wall_begin);
-    archive.reals("contacts/slip_x", s.contacts.slip_x);
-    archive.reals("contacts/slip_y", s.contacts.slip_y);
-    archive.reals("contacts/slip_z", s.contacts.slip_z);
-    archive.reals("contacts/attraction", s.contacts.attraction);
-    archive.reals("contacts/lost_normal", s.contacts.lost_normal);
-    archive.reals("contacts/lost_tangential", s.contacts.lost_tangential);
-    archive.reals("contacts/wall_work", s.contacts.wall_work);
+    describe_contacts(archive, "contacts", s.contacts);
+    describe_contacts(archive, "dormant", s.dormant);
     archive.real("totals/lost_normal", s.totals.lost_normal);
     archive.real("totals/lost_tangential", s.totals.lost_tangential);
     archive.real("totals/lost_rolling", s.totals.lost_rolling);
     archive.real("totals/wall_work", s.totals.wall_work);
     archive.real("totals/removed_with_walls", s.totals.removed_with_walls);
+    archive.integer("lists/sorted_at", s.sorted_at);
+    archive.integer("lists/calm", s.calm);
     archive.real("lists/margin", s.margin);
     archive.real("lists/travelled", s.travelled);
     archive.real("lists/last_travel", s.last_travel);
@@ -45,13 +56,14 @@ class Writer {
 public:
     EngineState state;
 
-    void reals(const char* name, const std::vector<double>& v) { state.reals[name] = v; }
-    void integers(const char* name, const std::vector<std::int64_t>& v) { state.integers[name] = v; }
-    void indices(const char* name, const std::vector<std::int32_t>& v) { integers(name, {v.begin(), v.end()}); }
-    void sizes(const char* name, const std::vector<std::size_t>& v) { integers(name, {v.begin(), v.end()}); }
-    void real(const char* name, double v) { reals(name, {v}); }
-    void integer(const char* name, std::int64_t v) { integers(name, {v}); }
-    void rows(const char* name, const std::vector<Row>& v) {
+    void reals(const std::string& name, const std::vector<double>& v) { state.reals[name] = v; }
+    void integers(const std::string& name, const std::vector<std::int64_t>& v) { state.integers[name] = v; }
+    void indices(const std::string& name, const std::vector<std::int32_t>& v) { integers(name, {v.begin(), v.end()}); }
+    void sizes(const std::string& name, const std::vector<std::size_t>& v) { integers(name, {v.begin(), v.end()}); }
+    void real(const std::string& name, double v) { reals(name, {v}); }
+    void integer(const std::string& name, std::int64_t v) { integers(name, {v}); }
+    void size(const std::string& name, std::size_t v) { integer(name, static_cast<std::int64_t>(v)); }
+    void rows(const std::string& name, const std::vector<Row>& v) {
         std::vector<double> flat;
         flat.reserve(4 * v.size());
         for (const Row& row : v) flat.insert(flat.end(), {row.x, row.y, row.z, row.w});
@@ -63,13 +75,16 @@ class Reader {
 public:
     explicit Reader(const EngineState& state) : state_(state) {}
 
-    void reals(const char* name, std::vector<double>& v) { v = find(state_.reals, name); }
-    void integers(const char* name, std::vector<std::int64_t>& v) { v = find(state_.integers, name); }
-    void indices(const char* name, std::vector<std::int32_t>& v) { convert(find(state_.integers, name), v); }
-    void sizes(const char* name, std::vector<std::size_t>& v) { convert(find(state_.integers, name), v); }
-    void real(const char* name, double& v) { v = one(find(state_.reals, name), name); }
-    void integer(const char* name, std::int64_t& v) { v = one(find(state_.integers, name), name); }
-    void rows(const char* name, std::vector<Row>& v) {
+    void reals(const std::string& name, std::vector<double>& v) { v = find(state_.reals, name); }
+    void integers(const std::string& name, std::vector<std::int64_t>& v) { v = find(state_.integers, name); }
+    void indices(const std::string& name, std::vector<std::int32_t>& v) { convert(find(state_.integers, name), v); }
+    void sizes(const std::string& name, std::vector<std::size_t>& v) { convert(find(state_.integers, name), v); }
+    void real(const std::string& name, double& v) { v = one(find(state_.reals, name), name); }
+    void integer(const std::string& name, std::int64_t& v) { v = one(find(state_.integers, name), name); }
+    void size(const std::string& name, std::size_t& v) {
+        v = static_cast<std::size_t>(one(find(state_.integers, name), name));
+    }
+    void rows(const std::string& name, std::vector<Row>& v) {
         const std::vector<double>& flat = find(state_.reals, name);
         v.resize(flat.size() / 4);
         for (std::size_t i = 0; i < v.size(); ++i)
@@ -78,17 +93,17 @@ public:
 
 private:
     template <class T>
-    static const std::vector<T>& find(const std::map<std::string, std::vector<T>>& arrays, const char* name) {
+    static const std::vector<T>& find(const std::map<std::string, std::vector<T>>& arrays, const std::string& name) {
         const auto found = arrays.find(name);
         if (found == arrays.end())
-            throw InputError(std::string("checkpoint: the array '") + name +
+            throw InputError("checkpoint: the array '" + name +
                              "' is missing; the file is damaged or of another version, start from an earlier one");
         return found->second;
     }
     template <class T>
-    static T one(const std::vector<T>& values, const char* name) {
+    static T one(const std::vector<T>& values, const std::string& name) {
         if (values.size() != 1)
-            throw InputError(std::string("checkpoint: '") + name +
+            throw InputError("checkpoint: '" + name +
                              "' must hold one value; the file is damaged, start from an earlier one");
         return values.front();
     }
@@ -124,10 +139,10 @@ void save_walls(EngineState& state, const std::string& prefix, const std::vector
 std::vector<Wall> load_walls(Reader& reader, const std::string& prefix) {
     std::vector<double> geometry;
     std::vector<std::int64_t> kinds, names, lengths;
-    reader.reals((prefix + "/geometry").c_str(), geometry);
-    reader.integers((prefix + "/kinds").c_str(), kinds);
-    reader.integers((prefix + "/names").c_str(), names);
-    reader.integers((prefix + "/name_lengths").c_str(), lengths);
+    reader.reals(prefix + "/geometry", geometry);
+    reader.integers(prefix + "/kinds", kinds);
+    reader.integers(prefix + "/names", names);
+    reader.integers(prefix + "/name_lengths", lengths);
     std::vector<Wall> walls(kinds.size());
     auto letter = names.begin();
     for (std::size_t w = 0; w < walls.size(); ++w) {
@@ -150,7 +165,6 @@ std::vector<Wall> load_walls(Reader& reader, const std::string& prefix) {
 EngineState saved(const Snapshot& snapshot) {
     Writer writer;
     describe(writer, snapshot);
-    writer.state.integers["contacts/pairs"] = {static_cast<std::int64_t>(snapshot.contacts.pairs)};
     writer.state.integers["walls/since"] = snapshot.walls.since();
     save_walls(writer.state, "walls/now", snapshot.walls.now());
     save_walls(writer.state, "walls/anchor", snapshot.walls.anchor());
@@ -162,9 +176,6 @@ Snapshot loaded(const EngineState& state) {
     snapshot.fresh = false;
     Reader reader(state);
     describe(reader, snapshot);
-    std::int64_t pairs = 0;
-    reader.integer("contacts/pairs", pairs);
-    snapshot.contacts.pairs = static_cast<std::size_t>(pairs);
     std::vector<std::int64_t> since;
     reader.integers("walls/since", since);
     snapshot.walls = MovingWalls(load_walls(reader, "walls/now"), load_walls(reader, "walls/anchor"), since);

@@ -29,8 +29,10 @@ public:
     template <class T>
     using Array = typename Space::template Array<T>;
 
-    /// Wraps y and sorts the particles by cells of their diameter and `skin`, then by identity.
-    void operator()(Space& space, ParticleArrays<Space>& particles, double skin, double y_min, double y_period) {
+    /// Wraps y and sorts the particles by cells of their diameter and `skin`, then by identity. Those that sleep come
+    /// last: `asleep` are [N] flags that are 1 for them, or null where nobody sleeps.
+    void operator()(Space& space, ParticleArrays<Space>& particles, double skin, double y_min, double y_period,
+                    const std::int32_t* asleep = nullptr) {
         const std::size_t n = particles.size();
         Row* position = particles.position.data();
         space.for_each(n, [=] RECOAT_LAMBDA(std::size_t i) { position[i].y = folded(position[i].y, y_min, y_period); });
@@ -40,12 +42,17 @@ public:
         std::uint64_t* key = key_.data();
         const std::int64_t* id = particles.id.data();
         space.for_each(n, [=] RECOAT_LAMBDA(std::size_t i) {
-            key[i] = static_cast<std::uint64_t>(cells.key(position[i])) << 32 | static_cast<std::uint64_t>(id[i]);
+            const std::int64_t after = asleep && asleep[i] != 0 ? cells.count() : 0;
+            key[i] =
+                static_cast<std::uint64_t>(after + cells.key(position[i])) << 32 | static_cast<std::uint64_t>(id[i]);
         });
-        space.sorted_order(key_, static_cast<std::uint64_t>(cells.count()) << 32, order_);
+        space.sorted_order(key_, static_cast<std::uint64_t>((asleep ? 2 : 1) * cells.count()) << 32, order_);
         particles.each_row([&](Array<Row>& rows) { reorder(space, rows, row_, order_); });
         reorder(space, particles.id, id_, order_);
     }
+
+    /// Brings other rows of the particles into the same order.
+    void follow(Space& space, Array<Row>& rows) { reorder(space, rows, row_, order_); }
 
     /// New place -> old place.
     [[nodiscard]] const Array<std::int32_t>& order() const { return order_; }

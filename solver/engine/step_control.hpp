@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 #include "common/host_device.hpp"
@@ -22,6 +23,7 @@ enum class StepStage : std::int32_t { contacts, forces, attraction };
 /// What decides about the next step. It lies where the loops run, so that many steps need no look from the host.
 struct StepControl {
     std::int64_t step = 0, target = 0;
+    std::size_t awake = 0;       ///< particles that move: the first ones
     double margin = 0;           ///< the close list holds until particles have come closer by this [m]
     double travelled = 0;        ///< bound of any particle's or wall's way since it was made [m]
     double last_travel = 0;      ///< the same for the last step [m]

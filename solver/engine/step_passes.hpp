@@ -120,7 +120,7 @@ private:
     template <class Space, class Make>
     [[nodiscard]] auto over_contacts(SnapshotOf<Space>& s, const StepMemory& memory, StepStage stage,
                                      const Make& make) const {
-        const ContactLayout layout{s.contacts.offsets.data(), s.particles.size(), s.walls.now().size(), memory.wall};
+        const ContactLayout layout{s.contacts.offsets.data(), memory.control, s.walls.now().size(), memory.wall};
         const double radius_arm = setup_.model.lever_arm == LeverArm::radius ? 1 : 0;
         return contact_loop(gate(memory, stage), peak(memory, stage), sizes_, Period(setup_.y_period), radius_arm,
                             layout, setup_.time_step, s.contacts.first.capacity(), make);

@@ -21,8 +21,8 @@ struct TilePart {
     }
 };
 
-/// How the particles of a snapshot are dealt to parts and tiles: by their number alone, so that sums are the same for
-/// any number of threads.
+/// How the awake particles of a snapshot are dealt to parts and tiles: by their number alone, so that sums are the same
+/// for any number of threads.
 class TilePlan {
 public:
     static constexpr std::size_t tile = 128;                ///< particles
@@ -30,7 +30,7 @@ public:
     static constexpr std::size_t most_parts = 64;
 
     void make(const Snapshot& s, std::size_t numbers_of_sum) {
-        const std::size_t n = s.particles.size(), walls = s.walls.now().size();
+        const std::size_t n = s.awake, walls = s.walls.now().size();
         std::size_t count = 1;
         while (count < most_parts && n >= 2 * count * particles_of_part) count *= 2;
         parts_.resize(count);

@@ -145,7 +145,7 @@ private:
     }
 
     void return_singles(Snapshot& s) {
-        for (std::size_t i = 0; i < s.particles.size(); ++i) {
+        for (std::size_t i = 0; i < s.awake; ++i) {
             const float* v = motion_.data() + 8 * i;
             s.particles.contact_velocity[i] = {v[0], v[1], v[2], v[3]};
         }
@@ -198,7 +198,7 @@ private:
 
     /// Contacts of the particles of `tile` with segment 0, pairs in which they are the first, or wall `segment` - 1.
     [[nodiscard]] TileRange contacts_of(std::size_t segment, TileRange tile) const {
-        const std::int32_t* offsets = snapshot_->contacts.offsets.data() + segment * snapshot_->particles.size();
+        const std::int32_t* offsets = snapshot_->contacts.offsets.data() + segment * snapshot_->awake;
         return {static_cast<std::size_t>(offsets[tile.begin]), static_cast<std::size_t>(offsets[tile.end])};
     }
 

@@ -93,6 +93,7 @@ void read_model(Config& config, Scene& scene) {
     scene.model.stiffness_ratio = config.number_or("stiffness_ratio", 1, {.lower = 0, .upper = 1, .lower_open = true});
     if (config.has("cohesion")) read_cohesion(config.section("cohesion"), scene);
     read_skins(config.section_or_empty("pair_lists"), scene);
+    scene.sleep = config.boolean_or("sleep", scene.sleep);
 }
 
 }  // namespace recoat

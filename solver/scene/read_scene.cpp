@@ -118,6 +118,7 @@ EngineSetup engine_setup(const Scene& scene, const Resources& resources) {
     setup.time_step = scene.time_step;
     setup.skins = scene.skins;
     setup.precision = scene.precision;
+    setup.sleep = scene.sleep;
     setup.diameter = scene.diameter;
     setup.y_min = 0;
     setup.y_period = scene.y_period;

@@ -27,9 +27,10 @@ LedgerCheck check_ledger(const Scene& scene, const std::filesystem::path& energy
         result.step =
             std::max(result.step, scene.time_step * contact_frequency(scene.model, partners, largest_overlap));
     result.bound = std::min(result.step + rounding, EnergyWatch::limit);
+    const double mass = total_mass(start, density);
     const std::vector<EnergyLedger> rows = read_ledger_rows(energy, steps, scene.output.energy_interval);
     for (const EnergyLedger& row : rows) {
-        const double scale = energy_scale(scene, rows.front(), row, start);
+        const double scale = energy_scale(scene, rows.front(), row, mass);
         const double error = std::abs(energy_balance(rows.front(), row).error) / scale;
         if (!std::isfinite(error)) throw InputError("the balance of energy.csv is not a finite number");
         result.error = std::max(result.error, error);

@@ -72,11 +72,13 @@ TEST(EnergyScale, CountsTheWeightOfTheParticlesInAnyCase) {
     const Scene scene = testing::scene_of(testing::spread_text);
     ParticleTable particles;
     particles.radius.assign(40, 25e-6);
-    EXPECT_NEAR(energy_scale(scene, {}, {}, particles), 40 * mass * 9.81 * 50e-6, 1e-22);
+    EXPECT_NEAR(energy_scale(scene, {}, {}, total_mass(particles, scene.model.density)), 40 * mass * 9.81 * 50e-6,
+                1e-22);
     EnergyLedger end;
     end.dissipated_normal = 3e-12;
     end.gravity = -2e-12;
-    EXPECT_NEAR(energy_scale(scene, {}, end, particles), 5e-12 + 40 * mass * 9.81 * 50e-6, 1e-22);
+    EXPECT_NEAR(energy_scale(scene, {}, end, total_mass(particles, scene.model.density)),
+                5e-12 + 40 * mass * 9.81 * 50e-6, 1e-22);
 }
 
 }  // namespace

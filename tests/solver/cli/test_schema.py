@@ -28,6 +28,7 @@ BAD_SPREAD = [
     (["pair_lists"], {"skin": "0 dp"}),
     (["pair_lists"], {"close_steps": 0}),
     (["pair_lists"], {"far": "1 dp"}),
+    (["sleep"], "perhaps"),
     (["time_step"], "0 s"),
     (["time_step"], "1e-7 m"),
     (["gravity"], "-9.81 m/s2"),

@@ -46,14 +46,16 @@ struct Bed {
     Contacts list(const std::optional<Contacts>& old = {}, double within = range,
                   const std::vector<std::int32_t>& old_place = {}) {
         FarList<OpenMP> far;
-        far.build(space, position, skin, 0, period);
+        far.build(space, position, position.size(), skin, 0, period);
         const auto anchors = MovingWalls(walls).anchors();
         ContactHistory<OpenMP> history;
         Contacts made = old.value_or(empty());
+        history.awake.take(space, made, 0, position.size());
         make_close_list(space,
-                        {position.data(), position.size(), anchors.data(), anchors.size(), 0, 1e-7, period, within,
-                         true, true, old_place.empty() ? nullptr : old_place.data()},
+                        {position.data(), 0, position.size(), anchors.data(), anchors.size(), 0, 1e-7, period, within,
+                         old_place.empty() ? nullptr : old_place.data()},
                         far, history, made);
+        list_incidence(space, made, position.size(), position.size());
         return made;
     }
 
@@ -215,8 +217,75 @@ TEST(CloseList, OffsetsFollowFromTheContacts) {
     const Contacts made = bed.list();
     Contacts restored = made;
     restored.offsets.clear();
-    list_offsets(bed.space, restored, bed.position.size(), bed.walls.size());
+    list_offsets(bed.space, restored, 0, bed.position.size(), bed.walls.size());
     EXPECT_EQ(restored.offsets, made.offsets);
+}
+
+/// Some particles, who sleep: every third.
+std::vector<std::int32_t> every_third(std::size_t n) {
+    std::vector<std::int32_t> asleep(n);
+    for (std::size_t i = 0; i < n; i += 3) asleep[i] = 1;
+    return asleep;
+}
+
+// Two lists, of the awake and of sleepers among each other, hold together what one holds, and hand it over and back.
+TEST(CloseList, OfTheAwakeAndOfSleepersAreTheListOfAll) {
+    Bed bed(4);
+    const std::size_t n = bed.position.size(), asleep = (n + 2) / 3, awake = n - asleep;
+    Contacts whole = bed.list();
+    mark(whole);
+    const auto anchors = MovingWalls(bed.walls).anchors();
+    SpatialSort<OpenMP> sort;
+    FarList<OpenMP> far;
+    ContactHistory<OpenMP> history;
+    const auto make = [&](std::size_t begin, std::size_t count) {
+        Contacts made;
+        make_close_list(bed.space,
+                        {bed.position.data(), begin, count, anchors.data(), anchors.size(), 0, 1e-7, period, range,
+                         sort.order().data()},
+                        far, history, made);
+        return made;
+    };
+    history.awake.take(bed.space, whole, 0, n);
+    sort(bed.space, bed.particles, bed.skin, 0, period, every_third(n).data());
+    for (std::size_t i = 0; i < n; ++i) ASSERT_EQ(sort.order()[i] % 3 == 0, i >= awake) << i;
+    far.build(bed.space, bed.position, awake, bed.skin, 0, period);
+    const Contacts moving = make(0, awake), sleeping = make(awake, asleep);
+    EXPECT_EQ(moving.size() + sleeping.size(), whole.size());
+    EXPECT_GT(sleeping.pairs, 20u);
+    for (std::size_t k = 0; k < sleeping.pairs; ++k)
+        ASSERT_TRUE(sleeping.first[k] >= static_cast<std::int32_t>(awake) && sleeping.second[k] > sleeping.first[k]);
+    for (std::size_t k = 0; k < moving.size(); ++k) ASSERT_LT(moving.first[k], static_cast<std::int32_t>(awake));
+
+    Contacts offsets = sleeping;
+    list_offsets(bed.space, offsets, awake, asleep, bed.walls.size());
+    EXPECT_EQ(offsets.offsets, sleeping.offsets);
+
+    history.awake.take(bed.space, moving, 0, awake);
+    history.asleep.take(bed.space, sleeping, awake, asleep);
+    sort(bed.space, bed.particles, bed.skin, 0, period);
+    far.build(bed.space, bed.position, n, bed.skin, 0, period);
+    const Contacts again = make(0, n);
+    EXPECT_EQ(again.first, whole.first);
+    EXPECT_EQ(again.second, whole.second);
+    EXPECT_EQ(again.slip_x, whole.slip_x);
+    EXPECT_EQ(again.slip_y, whole.slip_y);
+    EXPECT_EQ(again.slip_z, whole.slip_z);
+    EXPECT_EQ(again.attraction, whole.attraction);
+}
+
+// Relative rolling asks for the number of contacts of a sleeper, too.
+TEST(CloseList, SleepersHaveNoIncidence) {
+    Bed bed(1);
+    Contacts made = bed.list();
+    const std::size_t n = bed.position.size(), awake = n / 2;
+    list_incidence(bed.space, made, awake, n);
+    ASSERT_EQ(made.incidence_begin.size(), n + 1);
+    for (std::size_t i = awake; i < n; ++i) ASSERT_EQ(made.incidence_begin[i + 1], made.incidence_begin[awake]);
+    for (const std::int32_t entry : made.incidence) {
+        const auto k = static_cast<std::size_t>(entry / 2);
+        ASSERT_LT(entry % 2 ? made.second[k] : made.first[k], static_cast<std::int32_t>(awake));
+    }
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ void expect_complete(const std::vector<Row>& rows, double skin, double y_min, do
     for (const int threads : {1, 3}) {
         OpenMP space(threads);
         FarList<OpenMP> list;
-        list.build(space, sorted, skin, y_min, period);
+        list.build(space, sorted, sorted.size(), skin, y_min, period);
         PairSet found;
         for (std::size_t i = 0; i < sorted.size(); ++i) {
             EXPECT_TRUE(std::is_sorted(list.second.begin() + list.begin[i], list.second.begin() + list.begin[i + 1]));
@@ -111,6 +111,36 @@ TEST(FarList, HandlesNoneAndOne) {
     expect_complete({}, 0.2, 0, 0);
     expect_complete({}, 0.2, 0, 5);
     expect_complete({{1, 2, 3, 0.5}}, 0.2, 0, 5);
+}
+
+// Sleepers come last, each part in spatial order.
+TEST(FarList, FindsEveryPairOfTheAwakeAndOfSleepers) {
+    for (unsigned seed = 40; seed < 44; ++seed)
+        for (const double period : {2.5, 11.3}) {
+            const std::vector<Row> rows = scattered(300, {6, period, 4}, 0, seed);
+            Particles particles;
+            particles.resize(rows.size());
+            particles.position = rows;
+            particles.id = counted(rows.size());
+            std::vector<std::int32_t> asleep(rows.size());
+            for (std::size_t i = 0; i < rows.size(); ++i) asleep[i] = rows[i].x > 2 && i % 5 != 0 ? 1 : 0;
+            const auto sleepers = static_cast<std::size_t>(std::accumulate(asleep.begin(), asleep.end(), 0));
+            OpenMP space(2);
+            SpatialSort<OpenMP> sort;
+            sort(space, particles, 0.2, 0, period, asleep.data());
+            FarList<OpenMP> list;
+            list.build(space, particles.position, rows.size() - sleepers, 0.2, 0, period);
+            PairSet found;
+            for (std::size_t i = 0; i < rows.size(); ++i) {
+                EXPECT_EQ(asleep[static_cast<std::size_t>(sort.order()[i])] == 1, i >= rows.size() - sleepers);
+                EXPECT_TRUE(
+                    std::is_sorted(list.second.begin() + list.begin[i], list.second.begin() + list.begin[i + 1]));
+                for (std::int32_t e = list.begin[i]; e < list.begin[i + 1]; ++e)
+                    found.insert({static_cast<std::int32_t>(i), list.second[static_cast<std::size_t>(e)]});
+            }
+            EXPECT_EQ(found.size(), list.second.size()) << "a pair is listed twice";
+            EXPECT_EQ(found, all_pairs(particles.position, 0.2, period));
+        }
 }
 
 TEST(SpatialOrder, IsAPermutationThatDoesNotDependOnTheOrderGiven) {
