@@ -44,9 +44,11 @@ TEST_P(InstructionSets, GiveTheSamePath) {
 // Contacts in single precision: a hundred times closer than the steps themselves are to the truth.
 TEST_P(InstructionSets, MixedPrecisionFollowsDouble) {
     const EngineScene scene = busy_box(GetParam());
+    // Relative rolling is shared among the contacts that are listed: paths part where one list is made a step later.
+    const std::int64_t steps = GetParam().rolling == RollingForm::relative ? 30 : 150;
     for (const InstructionSet set : usable_instruction_sets()) {
-        const ParticleTable exact = after(scene, set, Precision::double_precision, 150);
-        const ParticleTable mixed = after(scene, set, Precision::mixed, 150);
+        const ParticleTable exact = after(scene, set, Precision::double_precision, steps);
+        const ParticleTable mixed = after(scene, set, Precision::mixed, steps);
         const double distance = largest_distance(exact, mixed, scene.setup.y_period);
         EXPECT_LT(distance, 1e-5) << name_of(set);
         EXPECT_GT(distance, 0) << name_of(set);

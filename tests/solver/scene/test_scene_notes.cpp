@@ -16,7 +16,9 @@ using ::testing::IsEmpty;
 using testing::scene_of;
 using testing::spread_text;
 
-std::vector<std::string> notes(const std::vector<std::string>& settings) {
+/// Of the usual scene with enough powder for its blade.
+std::vector<std::string> notes(std::vector<std::string> settings) {
+    settings.insert(settings.begin(), "powder.particles=400");
     return scene_notes(scene_of(spread_text, settings));
 }
 
@@ -57,17 +59,17 @@ TEST(SceneNotes, OverlapIsThatOfStrongAttraction) {
 TEST(SceneNotes, ABladeThatNothingPassesUnder) {
     EXPECT_THAT(notes({"blade.clearance=0.5 dp"}),
                 ElementsAre(AllOf(HasSubstr("no particle passes"), HasSubstr("25 um"))));
-    const std::vector<std::string> sizes = {"powder.sizes.distribution=normal", "powder.sizes.mean=50 um",
-                                            "powder.sizes.standard_deviation=10 um", "powder.sizes.smallest=30 um",
-                                            "powder.sizes.largest=80 um"};
+    const std::vector<std::string> sizes = {
+        "powder.sizes.distribution=normal", "powder.sizes.mean=50 um",    "powder.sizes.standard_deviation=10 um",
+        "powder.sizes.smallest=30 um",      "powder.sizes.largest=80 um", "box.width=8 dp"};
     EXPECT_THAT(notes(sizes), ElementsAre(AllOf(HasSubstr("the largest particles do not pass"), HasSubstr("80 um"))));
 }
 
 // 40 spheres fill about 40 pi/6/0.5 = 42 dp3 over 6 dp times 6 dp.
 TEST(SceneNotes, ABladeThatPassesAboveThePowder) {
-    EXPECT_THAT(notes({"blade.clearance=1.2 dp"}),
+    EXPECT_THAT(notes({"powder.particles=40", "blade.clearance=1.2 dp"}),
                 ElementsAre(AllOf(HasSubstr("passes above the powder"), HasSubstr("60 um"))));
-    EXPECT_THAT(notes({"blade.clearance=1.1 dp"}), IsEmpty());
+    EXPECT_THAT(notes({"powder.particles=40", "blade.clearance=1.1 dp"}), IsEmpty());
 }
 
 TEST(SceneNotes, ARestThatIsNone) {
@@ -84,7 +86,7 @@ TEST(SceneNotes, MaterialsInAnotherUnit) {
 
 TEST(SceneNotes, SizesFarFromTheDiameterOfTheMaterial) {
     const auto with_sizes = [](double smallest, double largest) {
-        Scene scene = scene_of(spread_text, {"blade.clearance=100 dp"});
+        Scene scene = scene_of(spread_text, {"blade.clearance=100 dp", "powder.particles=40000"});
         scene.smallest_diameter = smallest;
         scene.largest_diameter = largest;
         return scene_notes(scene);
