@@ -61,14 +61,14 @@ def test_a_plate_is_left_out(good, tmp_path):
     powder = [(2, x, y, 2.5e-5, 2.5e-5) for x, y in generator.uniform([0, 0], [4e-3, 1e-3], (200, 2))]
     plate = [(1, x, y, -3e-5, 3e-5) for x in np.arange(3e-5, 4e-3, 6e-5) for y in np.arange(3e-5, 1e-3, 6e-5)]
     for name, spheres in (("both", plate + powder), ("alone", powder)):
-        rows = "".join(f"{i} {t} {x!r} {y!r} {z!r} {r!r} 0 0 0\n" for i, (t, x, y, z, r) in enumerate(spheres))
+        rows = "".join(f"{i} {t} {float(x)!r} {float(y)!r} {z!r} {r!r} 0 0 0\n" for i, (t, x, y, z, r) in enumerate(spheres))
         (tmp_path / name).write_text(HEAD.format(step=0, count=len(spheres)) + rows)
     options = ["--set", "h_b=75um", "--set", "density=4430", "--set", "voxels_per_dp=[]", "--quiet"]
     good("metrics", "both", "--without-type", "1", "--json", "both.json", *options)
     good("metrics", "both", "--type", "2", "--json", "only.json", *options)
     good("metrics", "alone", "--json", "alone.json", *options)
     both, only, alone = (json.loads((tmp_path / f"{name}.json").read_text()) for name in ("both", "only", "alone"))
-    assert both["totals"]["packing_density_in_gap"] > 0
+    assert both["totals"]["layer_phi"] > 0
     assert both == only == alone
 
 

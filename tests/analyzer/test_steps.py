@@ -115,7 +115,7 @@ def test_whole_steps_before_a_damaged_one(run, dump, tmp_path):
             assert done.returncode == 2 and done.stdout == "" and "bad.dump:" in done.stderr
             assert done.stderr.rstrip().endswith("2 time steps (100, 250), which --step 250 reads"), done.stderr
     bad.write_text(text[: text.rindex("ITEM: ATOMS") + 60])
-    assert "80 atoms of the time step 900 should follow" in run("describe", bad).stderr
+    assert "time step 900" in run("describe", bad).stderr
     bad.write_text(text[:100])
     assert "bad.dump:" in run("describe", bad, "--step", "first").stderr
 
