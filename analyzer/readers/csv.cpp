@@ -15,7 +15,8 @@ Source read_csv(const Content& content, const ReadOptions& options) {
         .allows_size_zero = options.allow_size_zero(),
         .naming =
             "name it in the first line, or choose the column: --set columns.x=NAME, --radius-column NAME, "
-            "--diameter-column NAME; or give one --radius for all"};
+            "--diameter-column NAME; or give one --radius for all",
+        .about_size_zero = "a particle must have a size above zero (--skip-size-zero leaves such particles out)"};
     CsvTable table = read_csv_table(content.name(), content.bytes, table_options);
     Source source;
     source.position = std::move(table.position);

@@ -18,7 +18,8 @@ public:
     CsvReader(const std::string& name, std::string_view text, const CsvOptions& options)
         : cursor_(name, without_byte_order_mark(text)),
           header_(read_csv_header(cursor_, options.columns)),
-          allows_size_zero_(options.allows_size_zero) {
+          allows_size_zero_(options.allows_size_zero),
+          about_size_zero_(options.about_size_zero) {
         try {
             find_columns(options);
         } catch (const ColumnError& error) {
@@ -142,8 +143,8 @@ private:
         return value;
     }
 
-    [[noreturn]] void fail_at(std::size_t column, const char* problem) const {
-        cursor_.fail_at(column, header_.columns.names()[column], problem);
+    [[noreturn]] void fail_at(std::size_t column, std::string_view problem) const {
+        cursor_.fail_at(column, header_.columns.names()[column], std::string(problem));
     }
 
     [[nodiscard]] Vec3 vector(const VectorColumns& columns, const Vec3& factors) {
@@ -158,9 +159,8 @@ private:
 
     [[nodiscard]] double size() {
         const double value = number(columns_.size->index);
-        if (!(value > 0) && !(value == 0 && allows_size_zero_)) {
-            fail_at(columns_.size->index, "a particle must have a size above zero");
-        }
+        if (value < 0) fail_at(columns_.size->index, "a particle must have a size above zero");
+        if (value == 0 && !allows_size_zero_) fail_at(columns_.size->index, about_size_zero_);
         return size_factor_ * value;
     }
 
@@ -181,6 +181,7 @@ private:
     Vec3 position_factors_, velocity_factors_, spin_factors_;
     double size_factor_ = 1;
     bool allows_size_zero_ = false;
+    std::string_view about_size_zero_;
     char mark_ = '\0';  ///< of decimals; '\0': not seen yet
     CsvTable table_;
 };

@@ -17,6 +17,7 @@ struct CsvOptions {
     bool allows_size_zero = false;                          ///< for particles of size 0 that are left out later
     bool whole_velocities = false;                          ///< whether a velocity must not lack a component
     std::string_view naming = "name it in the first line";  ///< what to do about a column that is not found
+    std::string_view about_size_zero = "a particle must have a size above zero";  ///< why a size of 0 is refused
 };
 
 /// Particles from a table of text, in the order of its rows.
