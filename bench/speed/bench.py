@@ -1,6 +1,6 @@
 """Measures everything of docs/performance.md about the solver on a processor, in turn, and writes bench/results/speed.json.
 
-usage: bench/speed/bench.py [--minutes 30] [--base COMMIT] [--shorten N] [--out FILE]
+usage: bench/speed/bench.py [--minutes 30] [--base COMMIT] [--shorten N] [--no-counts] [--out FILE]
 Goes on where it was stopped: runs that are done are in results/bench, by the fingerprint of the program, until all are.
 """
 
@@ -8,6 +8,7 @@ import argparse
 import hashlib
 import json
 import os
+import sys
 import time
 from pathlib import Path
 
@@ -34,6 +35,7 @@ def arguments():
     parser.add_argument("--base", default=PLAN["former_commit"], help="commit that takes turns with today's; empty: none")
     parser.add_argument("--minutes", type=float, default=30, help="no run starts later, but for one round of every case")
     parser.add_argument("--shorten", type=int, default=1, help="divides all numbers of steps: 100 to see whether everything runs")
+    parser.add_argument("--no-counts", action="store_true", help="leaves out what callgrind counts")
     parser.add_argument("--out", default=ROOT / "bench/results/speed.json")
     return parser.parse_args()
 
@@ -174,10 +176,10 @@ def whole(bench):
 def main():
     options = arguments()
     bench = Bench(options)
-    result = header(f"bench/speed/bench.py --minutes {options.minutes:g} --shorten {options.shorten}") | {"load_average_before": os.getloadavg()}
+    result = header("bench/speed/bench.py " + " ".join(sys.argv[1:])) | {"load_average_before": os.getloadavg()}
     every, key = bench.cases()
     records = bench.rounds(bench.entries(key), bench.repeats)
-    result["limits"], result["counts"] = limits(bench), counted(bench)
+    result["limits"], result["counts"] = limits(bench), [] if options.no_counts else counted(bench)
     result["skipped"], result["whole_case"] = skipped(bench), whole(bench)
     records |= bench.rounds(bench.entries([case for case in every if case not in key]), bench.other_repeats)
     result["side_by_side"] = case_rows(every, bench.contenders, records)

@@ -178,7 +178,7 @@ def report(result):
         lead(result),
         scaling(result),
         limits_text(result),
-        bounds(result),
+        *([bounds(result)] if result["counts"] else []),
         "What each thing costs, on one core:\n\n" + skipped(result),
         "A case of the paper at the automatic step, in hours of processor time for the spreading of 100,000 particles over 500 d_p:\n\n" + whole(result),
     ]
