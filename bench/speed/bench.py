@@ -52,11 +52,20 @@ class Bench:
         self.files = prepare(ROOT / "build/bench-scenes", list(self.steps))
         self.today = Build("recoat", options.build)
         self.base = Build(f"recoat at {options.base}", built(options.base, os.cpu_count())) if options.base else None
-        by_precision = [self.ours(f"recoat, {name}", self.today, (setting,)) for name, setting in PLAN["precisions"].items()]
-        self.contenders = [*by_precision, *self.others(), *self.peers()]
+        self.contenders = [*self.by_precision(), *self.others(), *self.peers()]
 
     def ours(self, name, build, required=(), preferred=tuple(PLAN["awake"]), cases=lambda case: True):
         return Ours(name, build, self.files, self.steps, tuple(required), preferred, cases)
+
+    def by_precision(self):
+        """Every precision with the best vectors of the machine, and in key cases on one thread with AVX2 where those are wider."""
+        _, key = self.cases()
+        for name, setting in PLAN["precisions"].items():
+            yield self.ours(f"recoat, {name}", self.today, (setting,))
+            if self.today.instruction_set() == "avx512":
+                narrow = self.ours(f"recoat, {name}, avx2", self.today, (setting,), cases=lambda case: case in key and case.threads == 1)
+                narrow.instruction_set = "avx2"
+                yield narrow
 
     def others(self):
         """Today's default where precision is no choice, and the former commit on one thread."""
@@ -176,7 +185,7 @@ def whole(bench):
 def main():
     options = arguments()
     bench = Bench(options)
-    result = header("bench/speed/bench.py " + " ".join(sys.argv[1:])) | {"load_average_before": os.getloadavg()}
+    result = header("bench/speed/bench.py " + " ".join(sys.argv[1:])) | {"instruction_set": bench.today.instruction_set(), "load_average_before": os.getloadavg()}
     every, key = bench.cases()
     records = bench.rounds(bench.entries(key), bench.repeats)
     result["limits"], result["counts"] = limits(bench), [] if options.no_counts else counted(bench)

@@ -29,6 +29,7 @@ class Ours:
     required: tuple = ()
     preferred: tuple = ()
     cases: object = field(default=lambda case: True)
+    instruction_set: str | None = None  # None: the best that the machine has
 
     def key(self, case):
         plan = self.steps[case.scene]
@@ -42,7 +43,7 @@ class Ours:
         file, plan = self.files[case.scene], self.steps[case.scene]
         known = self.build.known(file, self.preferred)
         warm = plan["warm_cohesive" if case.bond > 0 else "warm"]
-        return self.build.rate(file, case.bond, case.threads, warm, plan["steps"], self.required + known)
+        return self.build.rate(file, case.bond, case.threads, warm, plan["steps"], self.required + known, self.instruction_set)
 
 
 @dataclass

@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import os
 from functools import cache
 from pathlib import Path
 
@@ -42,16 +43,23 @@ class Build:
             raise RuntimeError(f"{self.solver}: {done.errors.strip()}")
         return done.code == 0
 
+    @cache
+    def instruction_set(self):
+        """Whose loops the program runs here; None for a commit that has but one version of them."""
+        version = run([self.solver, "--version"]).output
+        return version.split("loops for ")[1].split()[0] if "loops for " in version else None
+
     def known(self, scene, settings):
         """Those of the settings that this commit's scenes have."""
         return tuple(setting for setting in settings if self.accepts(scene, (setting,)))
 
-    def rate(self, scene, bond, threads, warm, steps, settings=()):
+    def rate(self, scene, bond, threads, warm, steps, settings=(), instruction_set=None):
         """Makes one run; its record, or None where this commit's scenes do not have such settings."""
         if not self.accepts(scene, tuple(settings)):
             return None
         command = [self.step_rate, "--scene", scene, "--bond", f"{bond:g}", "--threads", threads, "--warm", warm, "--steps", steps]
-        done = run([*command, *with_set(settings)])
+        environment = os.environ | ({"RECOAT_INSTRUCTION_SET": instruction_set} if instruction_set else {})
+        done = run([*command, *with_set(settings)], env=environment)
         if done.code != 0:
             raise RuntimeError(f"{' '.join(map(str, command))}: {done.errors.strip()}")
         return record(json.loads(done.output), done.others)

@@ -51,6 +51,13 @@ def test_unknown_settings_are_not_available(files, today):
     assert today.rate(files["bed"], 0, 1, 1, 2, ["no_such_key=1"]) is None
 
 
+def test_loops_for_less_than_the_machine_has_can_be_measured(files, today):
+    assert today.instruction_set() in ("baseline", "avx2", "avx512")
+    assert today.rate(files["bed"], 0, 1, 1, 2, instruction_set="baseline")["rate"] > 0
+    with pytest.raises(RuntimeError, match="RECOAT_INSTRUCTION_SET"):
+        today.rate(files["bed"], 0, 1, 1, 2, instruction_set="no-such-set")
+
+
 def test_a_run_that_fails_is_told(today):
     with pytest.raises(RuntimeError, match="no-such-scene"):
         today.rate("no-such-scene.yaml", 0, 1, 1, 2)
