@@ -25,6 +25,7 @@ COUNTED_FUNCTION = "*timed_steps*"
 
 WIDTHS = {"zmm": 64, "ymm": 32, "xmm": 16}
 ARITHMETIC = re.compile(r"^v?(?P<fused>fn?m(?:add|sub|addsub|subadd)\d{3}|add|sub|mul|div|sqrt|rsqrt|rcp|addsub)(?P<kind>[ps][ds])$")
+QUOTIENT = re.compile(r"^v?(div|sqrt)")  # approximations of them take no more time than other operations
 OPERANDS = {"ZMMWORD": 64, "YMMWORD": 32, "XMMWORD": 16, "QWORD": 8, "DWORD": 4, "WORD": 2, "BYTE": 1, "TBYTE": 10}
 INSTRUCTION = re.compile(r"^\s*([0-9a-f]+):\s+(?:\{\w+\}\s+)?([a-z0-9]+)\s*(.*)$")
 
@@ -114,7 +115,7 @@ def per_particle_step(totals, counts, code, program, work):
             mnemonic, operands = code.get(address, ("", "")) if name == program else ("", "")
             done = values["Ir"] * operations(mnemonic, operands)
             flops += done
-            quotients += done if "div" in mnemonic or "sqrt" in mnemonic else 0
+            quotients += done if QUOTIENT.match(mnemonic) else 0
             requested += (values["Dr"] + values["Dw"]) * bytes_of(operands)
     misses = [LINE * (totals[f"{level}mr"] + totals[f"{level}mw"]) for level in ("D1", "DL")]
     entries = {"instructions": totals["Ir"], "operations": flops, "quotients_and_roots": quotients, "bytes_requested": requested}

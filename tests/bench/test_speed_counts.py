@@ -61,6 +61,7 @@ def test_inclusive_costs_of_calls_are_not_counted_twice(counts, tmp_path):
     assert entries["operations"] == (5 * 4 + 5 * 8) / 5 and entries["bytes_requested"] == (3 * 32 + 1 * 8) / 5
     assert entries["quotients_and_roots"] == 0
     assert counts.per_particle_step(totals, found, {0x10: ("vsqrtpd", "ymm0,ymm1")}, "/program", 5)["quotients_and_roots"] == 4
+    assert counts.per_particle_step(totals, found, {0x10: ("vrsqrtps", "ymm0,ymm1")}, "/program", 5)["quotients_and_roots"] == 0
     assert entries["bytes_beyond_first_cache"] == 64 * 2 / 5 and entries["bytes_beyond_second_cache"] == pytest.approx(64 / 5)
 
 
