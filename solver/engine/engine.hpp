@@ -42,7 +42,7 @@ struct EngineSetup {
     Vec3 domain_upper;
     ListSkins skins;
     Precision precision = Precision::double_precision;
-    bool sleep = true;  ///< particles at rest are left as they are [docs/decisions/0011-sleep.md]
+    bool sleep = false;  ///< particles at rest are left as they are [docs/decisions/0011-sleep.md]
     Resources resources;
 };
 

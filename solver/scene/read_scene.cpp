@@ -23,7 +23,7 @@ namespace {
 
 /// Every key that a scene of this kind may have at its top.
 void refuse_unknown_keys(const Config& config, const std::string& kind) {
-    constexpr std::array<std::string_view, 13> common = {
+    constexpr std::array<std::string_view, 14> common = {
         "precision", "sleep",   "scene",           "seed",       "time_step", "gravity",  "stages",
         "material",  "contact", "stiffness_ratio", "start_from", "output",    "cohesion", "pair_lists"};
     constexpr std::array<std::string_view, 3> spread = {"powder", "box", "blade"};
