@@ -21,6 +21,7 @@ constexpr double spacing = 0.99995 * dp;
 EngineScene bed(const Variety& variety, bool with_sphere) {
     EngineScene scene;
     scene.setup = paper_setup(variety.bond);
+    scene.setup.sleep = true;
     scene.setup.model.rolling_form = variety.rolling;
     scene.setup.y_period = static_cast<double>(across) * spacing;
     const double rise = spacing / std::sqrt(2.0);
@@ -67,7 +68,8 @@ std::unique_ptr<Engine> engine_of(EngineScene scene, bool sleep, int threads = 1
 const double energy_unit = sphere_mass(paper_radius, 4430) * paper_gravity * dp;
 
 TEST(SleepRule, ReachesATenthOfTheOverlapUnderTheWeight) {
-    const EngineSetup setup = paper_setup();
+    EngineSetup setup = paper_setup();
+    setup.sleep = true;
     const SleepRule rule = sleep_rule(setup, paper_radius);
     // docs/physics.md section 5.8
     const double modulus = 0.5 * 0.001 * 110e9 / (1 - 0.3 * 0.3);
