@@ -51,7 +51,7 @@ def test_conversion_by_name_and_unit(good, refused, tmp_path):
     good("convert", DUMPS / "yade-text.txt", "layer.txt", "--format", "csv", "--length-unit", "um")
     metres = np.loadtxt(DUMPS / "yade-text.txt")
     assert table(tmp_path / "layer.txt") == pytest.approx(metres * 1e-6, rel=1e-14)
-    assert "ending" in refused("convert", DUMPS / "yade-text.txt", "layer.xyz")
+    assert "ending" in refused("convert", DUMPS / "yade-text.txt", "layer.what")
     assert "no format \"obj\"" in refused("convert", DUMPS / "yade-text.txt", "layer.csv", "--format", "obj")
 
 

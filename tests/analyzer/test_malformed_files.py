@@ -45,7 +45,7 @@ def refusal(refused, tmp_path):
     def run(content, *options):
         (tmp_path / "layer").write_bytes(content if isinstance(content, bytes) else content.encode())
         sentence = refused("convert", "layer", "out.csv", *options)
-        assert sentence.rstrip("\n").isprintable() and len(sentence) < 700
+        assert sentence.rstrip("\n").isprintable() and len(sentence) < 900
         return sentence
 
     return run

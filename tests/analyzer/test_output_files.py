@@ -169,7 +169,7 @@ def test_nothing_is_left_half_written(build, outputs, tmp_path):
 @pytest.mark.parametrize("ending", ["csv", "vtp", "dump", "vtkhdf"])
 def test_conversion_keeps_velocities(build, tmp_path, ending):
     (tmp_path / "in.csv").write_text(
-        "id,x,y,z,radius,vx,vy,vz,omegax,omegay,omegaz\n7,1e-4,2e-4,3e-5,2.5e-5,0.1,-0.2,0.30000000000000004,11,-12,13.5\n9,2e-4,2e-4,3e-5,2.5e-5,0,0,1e-17,0,0,1\n"
+        "id,type,x,y,z,radius,vx,vy,vz,omegax,omegay,omegaz\n7,1,1e-4,2e-4,3e-5,2.5e-5,0.1,-0.2,0.30000000000000004,11,-12,13.5\n9,1,2e-4,2e-4,3e-5,2.5e-5,0,0,1e-17,0,0,1\n"
     )
     program = build / "analyzer/recoat-analyze"
     for source, target in (("in.csv", f"there.{ending}"), (f"there.{ending}", "back.csv")):

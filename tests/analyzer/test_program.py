@@ -84,7 +84,7 @@ def refused(done, tmp_path):
         ("x,y,z,radius\n1e-4,1e-4,nan,2e-5\n", "bad.csv:2: column 3 (z): \"nan\": the number is not finite"),
         ("x,y,z,radius\n1e-4,1e-4,1e-5,-2e-5\n", "bad.csv:2: column 4 (radius): \"-2e-5\": a particle must have a size above zero"),
         ("x,y,z,radius\n1e-4,1e-4,1e-5\n", "bad.csv:2: the line has 3 columns, the first line names 4"),
-        ("x,y,z,x\n", "bad.csv:1: the column \"x\" is named twice"),
+        ("x,y,z,radius,x\n", "bad.csv:1: the column \"x\" is named twice"),
         ("x,y,z,radius\n1,2,3,4\n", "particle 0 lies "),
         ("\0\1\2", "bad.csv: the format is not known"),
     ],

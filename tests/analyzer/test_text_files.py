@@ -98,7 +98,7 @@ def test_a_time_step_without_particles_is_named(analyze, refused, tmp_path):
     values = ["--set", "h_b=75um", "--set", "density=4430"]
     (tmp_path / "layer").write_text(TEXTS["lammps-dump"] + empty)
     assert "layer: the time step 8 has no particles; choose another with --step" in refused("metrics", "layer", *values)
-    done = analyze("metrics", "layer", *values, "--step", "all", "--set", "grid=1dp")
+    done = analyze("metrics", "layer", *values, "--step", "all")
     assert "layer: the time step 8 has no particles; it is passed over" in done.stderr
     (tmp_path / "table").write_text("x,y,z,radius\n")
     assert "table: the file has no particles" in refused("metrics", "table", *values)

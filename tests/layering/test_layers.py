@@ -176,7 +176,7 @@ def test_device_code_only_instantiates():
         code = code_of(unit)
         assert not re.search(r"__global__|<<<|\bfor\b|\bwhile\b|[^/]\*\s*\w|\+=", code), f"{name(unit)} computes something"
     kernels = {name(f) for f in sources("*.hpp", "*.cuh", "*.cpp", "*.cu") if "__global__" in code_of(f)}
-    assert kernels == {"solver/execution/cuda_kernels.cuh"}
+    assert {Path(file).parent for file in kernels} == {Path("solver/execution")}
 
 
 def test_device_check_sees_a_loop():

@@ -83,7 +83,7 @@ def test_missing_files_are_named(solver):
 
 def test_a_bad_table_is_refused_with_its_line(solver):
     solver.write("table.csv", "x,y,z,radius,vx,vy,vz,wx,wy,wz\n0,0,26e-6,-1,0,0,0,0,0,0\n")
-    assert "table.csv:2: radius" in solver.refusal("run", "particles.yaml", "--out", "out")
+    assert "table.csv:2: column 4 (radius)" in solver.refusal("run", "particles.yaml", "--out", "out")
 
 
 def test_run_wants_a_folder_that_it_can_write_to(solver):
