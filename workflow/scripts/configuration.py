@@ -2,6 +2,7 @@
 
 import difflib
 import json
+import os
 from pathlib import Path
 
 import jsonschema
@@ -33,13 +34,19 @@ def line_of(file, path):
     return line
 
 
+def shown(file):
+    """A file as the person who starts the workflow would name it."""
+    relative = os.path.relpath(file)
+    return str(file) if relative.startswith("..") else relative
+
+
 def place(files, path):
     """File and line where the path is set; the last file that has its first key wins, as it does in Snakemake."""
     for file in reversed(files):
         content = yaml.safe_load(Path(file).read_text())
         if not path or (isinstance(content, dict) and path[0] in content):
-            return f"{file}, line {line_of(file, path)}"
-    return "--config" if path else str(files[-1])
+            return f"{shown(file)}, line {line_of(file, path)}"
+    return "--config" if path else shown(files[-1])
 
 
 def unknown_key(error):
