@@ -62,8 +62,8 @@ void add_contact_energy(EnergyLedger& ledger, const ContactLaw<cohesive>& law, c
     const double overlap = separation < 0 ? -separation : 0;
     const double root = std::sqrt(overlap);
     const double elastic = law.hertz.elastic(overlap, root, c);
-    const auto load = law.friction_load(FrictionLoad<double>{elastic, overlap, std::sqrt(root), 0}, last_attraction,
-                                        separation, c);
+    const auto load =
+        law.friction_load(FrictionLoad<double>{elastic, overlap, std::sqrt(root), 0}, last_attraction, separation, c);
     ledger.elastic_normal += law.hertz.energy(overlap, c);
     ledger.elastic_tangential += law.mindlin.energy(slip, load.force, load.overlap);
     if constexpr (cohesive) ledger.cohesion -= attraction.well(separation, c);

@@ -1,6 +1,5 @@
-// clang-format off: the types of the set come first
-#include "solver/execution/simd.hpp"
 #include "solver/engine/tile_kernels.hpp"
+#include "solver/execution/simd.hpp"
 
 #define RECOAT_TILE_SET Baseline
 

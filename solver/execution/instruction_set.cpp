@@ -42,8 +42,8 @@ InstructionSet chosen_instruction_set() {
         names.push_back(name_of(set));
         if (names.back() == wanted) return set;
     }
-    throw InputError(fmt::format("RECOAT_INSTRUCTION_SET is '{}'; this machine has {}", wanted,
-                                 fmt::join(names, ", ")));
+    throw InputError(
+        fmt::format("RECOAT_INSTRUCTION_SET is '{}'; this machine has {}", wanted, fmt::join(names, ", ")));
 }
 
 }  // namespace recoat

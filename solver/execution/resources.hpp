@@ -12,8 +12,8 @@ enum class Backend { cpu, cuda };
 /// What an engine may use of the machine.
 struct Resources {
     Backend backend = Backend::cpu;
-    int threads = 1;  ///< of the host
-    int device = 0;   ///< number of the CUDA device
+    int threads = 1;                                         ///< of the host
+    int device = 0;                                          ///< number of the CUDA device
     InstructionSet instructions = chosen_instruction_set();  ///< of the host's loops
 };
 

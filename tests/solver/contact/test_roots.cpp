@@ -20,8 +20,8 @@ struct Errors {
             const auto x = static_cast<Real>(std::pow(10, exponent(random)));
             const long double exact = x;
             root = std::max(root, static_cast<double>(std::fabs(inverse_root(x) * std::sqrt(exact) - 1)));
-            sixth = std::max(
-                sixth, static_cast<double>(std::fabs(inverse_sixth_root(x) * std::pow(exact, 1.0L / 6) - 1)));
+            sixth =
+                std::max(sixth, static_cast<double>(std::fabs(inverse_sixth_root(x) * std::pow(exact, 1.0L / 6) - 1)));
         }
     }
 };

@@ -47,7 +47,8 @@ TEST(ImpulseChoice, TakesTheSchemeAskedFor) {
     model.scheme = CohesionScheme::explicit_force;
     EXPECT_TRUE(std::holds_alternative<ExplicitImpulse<>>(choose_impulse(model, 2e-8, sizes, paper_radius)));
     model.scheme = CohesionScheme::prediction_correction;
-    EXPECT_TRUE(std::holds_alternative<PredictionCorrectionImpulse<>>(choose_impulse(model, 2e-8, sizes, paper_radius)));
+    EXPECT_TRUE(
+        std::holds_alternative<PredictionCorrectionImpulse<>>(choose_impulse(model, 2e-8, sizes, paper_radius)));
 }
 
 // The contraction grows as the square of the step and of the inverse radius: the smallest particles decide.
