@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "common/error.hpp"
+#include "common/hdf5.hpp"
 #include "common/number.hpp"
 #include "common/state.hpp"
 #include "solver/output/checkpoint.hpp"
@@ -48,13 +49,22 @@ std::optional<Verdict> bad_states(const fs::path& file, std::size_t particles) {
     return {};
 }
 
+/// What is wrong with the walls as they are drawn.
+std::optional<Verdict> bad_walls(const fs::path& file) {
+    const auto points = hdf5::File::open(file).group("VTKHDF").read<double>("Points");
+    if (std::ranges::all_of(points, [](double value) { return std::isfinite(value); })) return {};
+    return wrong(Outcome::not_finite, file.filename().string() + ", a corner");
+}
+
 /// What is wrong with any file of a run.
 std::optional<Verdict> bad_files(const fs::path& out, std::size_t particles) {
     if (!fs::exists(out)) return {};
     for (const auto& entry : fs::recursive_directory_iterator(out)) {
         const fs::path& file = entry.path();
         if (file.extension() == ".part") return wrong(Outcome::lost, "a temporary file stays: " + file.string());
-        if (file.extension() == ".vtkhdf") {
+        if (file.filename() == "walls.vtkhdf") {
+            if (auto bad = bad_walls(file)) return bad;
+        } else if (file.extension() == ".vtkhdf") {
             if (auto bad = bad_states(file, particles)) return bad;
         }
         if (file.filename() == "checkpoint.h5") static_cast<void>(read_checkpoint(file));
