@@ -87,12 +87,23 @@ void check_cells(const Config& config, const AnalysisConfig& result) {
     const double cell = result.grid * result.particle_diameter;
     const double nx = (result.x_end - result.x_begin) / cell, ny = result.y_period / cell;
     const bool must_fit = config.has("grid");
-    if (nx < 0.5 || (must_fit && !is_whole(nx))) {
+    if (nx < 0.5) {
+        config.fail("x_range",
+                    fmt::format("the region is {:.6g} m long, less than half a cell of {:.6g} m; give a longer one",
+                                nx * cell, cell));
+    }
+    if (ny < 0.5) {
+        config.fail("y_period",
+                    fmt::format("the period is {:.6g} m, less than half a cell of {:.6g} m; give the period "
+                                "of the particles, or smaller cells (grid)",
+                                ny * cell, cell));
+    }
+    if (must_fit && !is_whole(nx)) {
         config.fail(
             "x_range",
             fmt::format("the region is {:.6g} cells of {:.6g} m long; make it a whole number of cells", nx, cell));
     }
-    if (ny < 0.5 || (must_fit && !is_whole(ny))) {
+    if (must_fit && !is_whole(ny)) {
         config.fail("y_period",
                     fmt::format("the period is {:.6g} cells of {:.6g} m; make it a whole number by the choice of grid, "
                                 "or leave grid out",

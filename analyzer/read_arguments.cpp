@@ -133,13 +133,16 @@ ReadOptions read_options(const ReadArguments& arguments, ColumnNames columns) {
     return options;
 }
 
-std::vector<std::string> frame_settings(const FrameArguments& arguments) {
-    std::vector<std::string> settings;
+std::vector<FrameSetting> frame_settings(const FrameArguments& arguments) {
+    std::vector<FrameSetting> settings;
     if (!arguments.region.empty()) {
         const auto [begin, end] = bounds("--region", arguments.region);
-        settings.push_back(fmt::format("x_range=[{}, {}]", shortest(begin), shortest(end)));
+        settings.push_back(
+            {"x_range", fmt::format("[{}, {}]", shortest(begin), shortest(end)), "--region " + arguments.region});
     }
-    if (!arguments.base.empty()) settings.push_back("base=" + shortest(length("--base", arguments.base)));
+    if (!arguments.base.empty()) {
+        settings.push_back({"base", shortest(length("--base", arguments.base)), "--base " + arguments.base});
+    }
     if (!arguments.period.empty()) {
         if (!arguments.period.starts_with("y=")) {
             throw InputError(
@@ -148,8 +151,9 @@ std::vector<std::string> frame_settings(const FrameArguments& arguments) {
                             arguments.period));
         }
         const auto [lower, upper] = bounds("--period", std::string_view(arguments.period).substr(2));
-        settings.push_back("y_min=" + shortest(lower));
-        settings.push_back("y_period=" + shortest(upper - lower));
+        const std::string option = "--period " + arguments.period;
+        settings.push_back({"y_min", shortest(lower), option});
+        settings.push_back({"y_period", shortest(upper - lower), option});
     }
     return settings;
 }

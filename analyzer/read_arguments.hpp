@@ -38,7 +38,13 @@ void add_column_settings(CLI::App& command, std::vector<std::string>& settings);
 /// What the options mean; `columns` are names that the configuration gives. Throws InputError naming the option.
 [[nodiscard]] ReadOptions read_options(const ReadArguments& arguments, ColumnNames columns = {});
 
-/// The options as settings "key=value" of the configuration. Throws InputError naming the option.
-[[nodiscard]] std::vector<std::string> frame_settings(const FrameArguments& arguments);
+/// A value of the configuration that an option of its own gives.
+struct FrameSetting {
+    std::string key, value;
+    std::string option;  ///< as it was written, e.g. "--region 2mm,4mm"
+};
+
+/// What the options set. Throws InputError naming the option.
+[[nodiscard]] std::vector<FrameSetting> frame_settings(const FrameArguments& arguments);
 
 }  // namespace recoat

@@ -87,6 +87,7 @@ std::string Config::join(std::string_view key) const {
 }
 
 void Config::fail_at(const ConfigNode& node, std::string_view key, const std::string& problem) const {
+    if (!node.option.empty()) throw InputError(fmt::format("{}: {}", node.option, problem));
     const std::string full = join(key).empty() ? "" : join(key) + ": ";
     if (!node.override_text.empty()) throw InputError(fmt::format("--set {}: {}{}", node.override_text, full, problem));
     if (document_->name.empty()) throw InputError(full + problem);  // nothing was written that has a line
@@ -159,6 +160,13 @@ void Config::settle(std::string_view key, const std::string& text) const {
     } else {
         place->second = std::move(chosen);
     }
+}
+
+void Config::set_option(std::string_view key, const std::string& option) const {
+    const auto node = node_->find(key);
+    if (!node) return;
+    node->option = option;
+    for (const auto& item : node->items) item->option = option;
 }
 
 Config Config::section(std::string_view key) const {

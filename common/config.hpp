@@ -89,6 +89,9 @@ public:
     /// A list of words.
     [[nodiscard]] std::vector<std::string> texts(std::string_view key) const;
 
+    /// Says that the value of the key, if it is there, was given by an option "--name value": errors then name that.
+    void set_option(std::string_view key, const std::string& option) const;
+
     /// Enables the unit dp in the whole file; d_p in metres.
     void set_particle_diameter(double diameter);
     /// Numbers without a unit are SI values in the whole file.

@@ -7,6 +7,7 @@
 
 #include "common/error.hpp"
 #include "common/number.hpp"
+#include "common/tables/text_encoding.hpp"
 
 namespace recoat {
 namespace {
@@ -51,11 +52,12 @@ Pointer convert(const YAML::Node& source, const std::string& name, std::size_t l
     return node;
 }
 
-/// Parses YAML, or calls `refuse(line, message of the parser)`, which throws.
+/// Parses YAML, in Latin-1 too, as editors of Windows may save it, or calls `refuse(line, message of the parser)`,
+/// which throws.
 template <class Refuse>
 YAML::Node load(const std::string& text, const Refuse& refuse) {
     try {
-        return YAML::Load(text);
+        return YAML::Load(wide_encoding(text).empty() ? in_utf8(text) : text);
     } catch (const YAML::Exception& error) {
         refuse(static_cast<std::size_t>(error.mark.line) + 1, error.msg);
         throw;

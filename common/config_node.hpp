@@ -21,6 +21,7 @@ struct ConfigNode {
     bool quoted = false;        ///< scalar in quotes, kept for writing it back
     std::size_t line = 0;       ///< of the key, or of the value in a list; from 1
     std::string override_text;  ///< "a.b=v" where the value came from the command line
+    std::string option;         ///< "--name value" where it came from an option of its own
 
     std::vector<Pointer> items;                            ///< list
     std::vector<std::pair<std::string, Pointer>> entries;  ///< mapping, in the order of the file

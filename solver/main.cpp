@@ -5,6 +5,7 @@
 #include "common/command_line.hpp"
 #include "common/error.hpp"
 #include "common/version.hpp"
+#include "solver/cli/brief_waiting.hpp"
 #include "solver/cli/check.hpp"
 #include "solver/cli/choose_resources.hpp"
 #include "solver/cli/models.hpp"
@@ -169,6 +170,7 @@ int dispatch(const CLI::App& app, const Arguments& arguments) {
 }  // namespace
 
 int main(int argc, char** argv) {
+    wait_briefly(argv);
     return run_program("recoat-solve", [&] {
         Arguments arguments;
         CLI::App app("Spreading of cohesive powder by the discrete element method", "recoat-solve");

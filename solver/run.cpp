@@ -68,7 +68,7 @@ Plan plan_for(const Scene& scene, const fs::path& folder, bool overwrite) {
         if (overwrite && (summary->config != scene.resolved || summary->version != program_version()))
             return {Plan::start, {}};
         refuse_other_scene(summary->config, scene, folder);
-        if (summary->finished && is_complete(scene, folder)) return {Plan::nothing, {}};
+        if (summary->finished && missing_of_finished(scene, folder).empty()) return {Plan::nothing, {}};
     }
     return plan_for_checkpoint(scene, folder, overwrite);
 }
@@ -114,6 +114,18 @@ int start(const Scene& scene, const RunOptions& options, const EngineFactory& fa
     return StageRunner(scene, options, *engine, progress).run();
 }
 
+/// After its last step a run only writes, which is worth a word where the files were there before.
+void say_what_goes_on(const Scene& scene, const fs::path& folder, const RunProgress& progress, std::int64_t step,
+                      ProgressLine& line) {
+    if (progress.stage < scene.stages.size()) return line.say("Continuing at step " + std::to_string(step) + ".");
+    const std::optional<EarlierSummary> summary = read_summary(folder / "summary.json");
+    if (!summary || !summary->finished) return;
+    const std::vector<std::string> gone = missing_of_finished(scene, folder);
+    if (gone.empty()) return;
+    line.say(list_of(gone) + (gone.size() == 1 ? " was gone; it is" : " were gone; they are") +
+             " made again from the checkpoint.");
+}
+
 int continue_from(const Scene& scene, const LatestCheckpoint& latest, const RunOptions& options,
                   const EngineFactory& factory) {
     const Checkpoint& checkpoint = latest.checkpoint;
@@ -127,7 +139,7 @@ int continue_from(const Scene& scene, const LatestCheckpoint& latest, const RunO
     const MissingFiles missing = missing_files(scene, options.folder, checkpoint.progress);
     if (!missing.states.empty())
         line.say("Note: not there any more, and not to be made again: " + list_of(missing.states) + ".");
-    line.say("Continuing at step " + std::to_string(engine->step()) + ".");
+    say_what_goes_on(scene, options.folder, checkpoint.progress, engine->step(), line);
     return StageRunner(scene, options, *engine, checkpoint.progress).run();
 }
 
@@ -178,7 +190,8 @@ void refuse_lost_files(const Scene& scene, const RunProgress& progress, const fs
 int resume_in_folder(const RunOptions& options, const EngineFactory& factory) {
     const fs::path summary_file = options.folder / "summary.json";
     const std::optional<EarlierSummary> summary = read_summary(summary_file);
-    if (summary && summary->finished && is_complete(earlier_scene(summary->config, summary_file), options.folder))
+    if (summary && summary->finished &&
+        missing_of_finished(earlier_scene(summary->config, summary_file), options.folder).empty())
         return nothing_to_do(options);
     const LatestCheckpoint latest = read_latest_checkpoint(options.folder);
     const Scene scene = earlier_scene(latest.checkpoint.config, options.folder / "checkpoint.h5");

@@ -16,6 +16,7 @@ std::string made(const Scene& scene, const RunProgress& progress) {
     if (!progress.frames.empty())
         text += fmt::format(", trajectory.vtkhdf ({} states)",
                             readable_count(static_cast<long long>(progress.frames.size())));
+    text += ", walls.vtkhdf";
     if (!progress.energy.empty()) text += ", energy.csv";
     return text + " and summary.json";
 }

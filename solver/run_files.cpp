@@ -5,12 +5,14 @@
 namespace recoat {
 namespace fs = std::filesystem;
 
-bool is_complete(const Scene& scene, const fs::path& folder) {
-    for (const Stage& stage : scene.stages) {
-        if (!fs::exists(folder / (stage.name + ".vtkhdf"))) return false;
-    }
-    if (scene.output.energy_interval > 0 && !fs::exists(folder / "energy.csv")) return false;
-    return scene.output.trajectory_interval == 0 || fs::exists(folder / "trajectory.vtkhdf");
+std::vector<std::string> missing_of_finished(const Scene& scene, const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const Stage& stage : scene.stages) names.push_back(stage.name + ".vtkhdf");
+    if (scene.output.trajectory_interval > 0) names.emplace_back("trajectory.vtkhdf");
+    names.emplace_back("walls.vtkhdf");
+    if (scene.output.energy_interval > 0) names.emplace_back("energy.csv");
+    std::erase_if(names, [&](const std::string& name) { return fs::exists(folder / name); });
+    return names;
 }
 
 MissingFiles missing_files(const Scene& scene, const fs::path& folder, const RunProgress& progress) {

@@ -9,8 +9,8 @@
 
 namespace recoat {
 
-/// Whether every file of a finished run is in place.
-bool is_complete(const Scene& scene, const std::filesystem::path& folder);
+/// Names of the files that a finished run leaves and that are not in place.
+std::vector<std::string> missing_of_finished(const Scene& scene, const std::filesystem::path& folder);
 
 /// Files that a run which has come as far as `progress` should have left, and that are gone.
 struct MissingFiles {

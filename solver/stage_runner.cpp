@@ -67,7 +67,8 @@ void StageRunner::remake_last_state() {
     if (!missing_files(scene_, options_.folder, progress_).last_state) return;
     const Stage& stage = scene_.stages[progress_.stage - 1];
     write_stage(stage);
-    line_.say(stage.name + ".vtkhdf was gone; it is made again from the checkpoint.");
+    if (progress_.stage < scene_.stages.size())
+        line_.say(stage.name + ".vtkhdf was gone; it is made again from the checkpoint.");
 }
 
 bool StageRunner::run_stage(const Stage& stage) {

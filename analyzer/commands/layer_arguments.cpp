@@ -29,9 +29,12 @@ void add_layer_arguments(CLI::App& command, LayerArguments& arguments) {
 
 Config load_config(const LayerArguments& arguments) {
     std::vector<std::string> settings = arguments.settings;
-    for (const std::string& setting : frame_settings(arguments.frame)) settings.push_back(setting);
-    if (arguments.config.empty()) return Config::parse("{}", "", settings);
-    return Config::load(arguments.config, settings);
+    const std::vector<FrameSetting> frame = frame_settings(arguments.frame);
+    for (const FrameSetting& setting : frame) settings.push_back(setting.key + "=" + setting.value);
+    const Config config =
+        arguments.config.empty() ? Config::parse("{}", "", settings) : Config::load(arguments.config, settings);
+    for (const FrameSetting& setting : frame) config.set_option(setting.key, setting.option);
+    return config;
 }
 
 namespace {

@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "common/tables/text_cursor.hpp"
+
 namespace recoat {
 namespace {
 
@@ -44,6 +46,21 @@ void add_box(Json& json, const Source& source) {
     json["periodic"] = periodic.empty() ? Json(nullptr) : Json(periodic);
 }
 
+/// Names of the types with the number of particles of each, "1 (304), plate (400)"; nothing where there are none.
+std::string types_text(const Source& source) {
+    constexpr std::size_t most = 12;
+    std::vector<std::size_t> counts(source.type.names.size());
+    for (const std::uint32_t type : source.type.of) ++counts[type];
+    std::string text;
+    std::size_t listed = 0;
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        if (counts[i] == 0) continue;
+        if (++listed > most) return text + ", ...";
+        text += fmt::format("{}{} ({})", text.empty() ? "" : ", ", quotable(source.type.names[i]), counts[i]);
+    }
+    return text;
+}
+
 Json known_or_null(double value) { return std::isnan(value) ? Json(nullptr) : Json(value); }
 
 Json description(const Source& source, const std::string& file) {
@@ -56,6 +73,7 @@ Json description(const Source& source, const std::string& file) {
     json["mean y [m]"] = mean(source, [&](std::size_t i) { return p[i].y; });
     json["mean z [m]"] = mean(source, [&](std::size_t i) { return p[i].z; });
     json["radius [m]"] = extent(source, [&](std::size_t i) { return source.radius[i]; });
+    if (const std::string types = types_text(source); !types.empty()) json["types"] = types;
     add_box(json, source);
     json["d_p [m]"] = known_or_null(source.info.particle_diameter);
     json["density [kg/m3]"] = known_or_null(source.info.density);

@@ -88,8 +88,8 @@ void leave_out_unknown_velocities(Source& source, const std::string& file) {
         if (unknown == vectors->end()) continue;
         const auto i = static_cast<std::size_t>(unknown - vectors->begin());
         const char* what = vectors == &source.velocity ? "velocity" : "angular velocity";
-        source.warnings.push_back(
-            fmt::format("{}: the {} is not finite; it is left out for all particles", place(source, file, i), what));
+        source.warnings.push_back(fmt::format("{}: the {} of this particle is not finite; it is left out for all",
+                                              place(source, file, i), what));
         vectors->clear();
     }
 }

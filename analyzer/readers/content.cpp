@@ -53,12 +53,15 @@ std::string read_bytes(const std::filesystem::path& file) {
 }
 
 void refuse_wide_text(const Content& content) {
-    const std::string_view encoding = wide_encoding(content.head());
-    if (encoding.empty()) return;
-    throw InputError(
-        fmt::format("{}: the file is text in {}, which is not read; save it as UTF-8 (in an editor, or by "
-                    "iconv -f {} -t UTF-8)",
-                    content.name(), encoding, encoding));
+    const std::string problem = wide_text_problem(content.head());
+    if (!problem.empty()) throw InputError(fmt::format("{}: {}", content.name(), problem));
+}
+
+void refuse_second_packing(const Content& content, const Packing& outer) {
+    const Packing* inner = packing_of(content.bytes);
+    if (inner == nullptr) return;
+    throw InputError(fmt::format("{}: the file is packed twice, with {} inside of {}; unpack it once", content.name(),
+                                 inner->name, outer.name));
 }
 
 }  // namespace
@@ -70,6 +73,7 @@ Content make_content(const std::filesystem::path& file, std::string bytes) {
     if (const Packing* packing = packing_of(content.bytes)) {
         content.bytes = unpack(*packing, content.bytes, content.name());
         content.packed = true;
+        refuse_second_packing(content, *packing);
         if (content.is_hdf5()) {
             throw InputError(fmt::format("{}: HDF5 files cannot be read while packed with {}; unpack it first",
                                          content.name(), packing->name));

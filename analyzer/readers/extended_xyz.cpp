@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "analyzer/readers/row_block.hpp"
 #include "analyzer/readers/xyz_comment.hpp"
 #include "common/number.hpp"
 #include "common/tables/columns.hpp"
@@ -78,6 +79,7 @@ public:
             if (angular_velocity_) source.angular_velocity.push_back(cursor_.any_vector(*angular_velocity_, names_));
             source.line.push_back(cursor_.line_number());
         }
+        source.columns = names_;
         source.facts.emplace_back("columns", fmt::format("{}", fmt::join(names_, " ")));
         return source;
     }
@@ -126,11 +128,13 @@ std::vector<double> times_of(const std::vector<Frame>& frames) {
     return times;
 }
 
-/// A line that begins with a word, as particles of plain XYZ do, and goes on with a position.
+bool is_frame_head(TextCursor& line) { return parse_integer(trimmed(line.line())).has_value(); }
+
+/// A line with a word or number for its type, as particles of plain XYZ have, and a position behind it.
 bool is_plain_particle(TextCursor& cursor) {
     cursor.split();
     const auto& cells = cursor.cells();
-    if (cells.size() < 4 || parse_number(cells[0])) return false;
+    if (cells.size() < 4) return false;
     return std::all_of(cells.begin() + 1, cells.begin() + 4, [](auto cell) { return parse_number(cell).has_value(); });
 }
 
@@ -139,7 +143,7 @@ bool is_plain_particle(TextCursor& cursor) {
 bool is_extended_xyz(const Content& content) {
     if (!looks_like_text(content.head())) return false;
     TextCursor cursor({}, content.head());
-    if (!cursor.next_filled() || !parse_integer(trimmed(cursor.line())) || !cursor.next()) return false;
+    if (!cursor.next_filled() || !is_frame_head(cursor) || !cursor.next()) return false;
     if (!parse_xyz_comment(cursor.line()).value("properties").empty()) return true;
     return cursor.next() && is_plain_particle(cursor);
 }
@@ -153,7 +157,11 @@ Series open_extended_xyz(const Content& content, const ReadOptions& options) {
         const std::size_t count = cursor.count("number of particles");
         cursor.need("a comment with Properties=");
         Frame frame{cursor, count, parse_xyz_comment(cursor.line())};
-        cursor.skip(count, fmt::format("{} particles of the frame {}", count, frames.size()));
+        pass_rows(cursor,
+                  {.rows = count,
+                   .columns = xyz_columns(frame.comment, cursor).size(),
+                   .what = fmt::format("{} particles of the frame {}", count, frames.size())},
+                  is_frame_head);
         frames.push_back(std::move(frame));
         series.steps.push_back(0);  // its number depends on the frames behind it
         return true;

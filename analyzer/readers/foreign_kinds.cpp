@@ -69,7 +69,7 @@ bool has_item(std::string_view head, std::string_view item) {
 
 /// The data of a head in the style of YAML: LAMMPS's own dump, or the table of another program.
 std::optional<std::string> yaml_kind(std::string_view text) {
-    if (!text.starts_with("---") || text.find(':') == std::string_view::npos) return {};
+    if (!(text.starts_with("---") || text.starts_with("%YAML ")) || text.find(':') == std::string_view::npos) return {};
     if (has_item(text, "creator: LAMMPS") || has_item(text, "keywords:")) {
         return "this is a YAML dump of LAMMPS, which is not read; dump the atoms with the style custom";
     }
@@ -105,6 +105,13 @@ std::optional<std::string> dump_kind(std::string_view text) {
         lower_case(quotable(what)));
 }
 
+/// Text of old Macs, and of spreadsheets that still write it.
+bool has_returns_alone(std::string_view head) {
+    const std::size_t place = head.find('\r');
+    return place != std::string_view::npos && place + 1 < head.size() && head.find('\n') == std::string_view::npos &&
+           looks_like_text(head);
+}
+
 bool is_tar(std::string_view head) {
     constexpr std::size_t place = 257;
     return head.size() > place && head.substr(place).starts_with("ustar");
@@ -125,6 +132,11 @@ std::optional<std::string> foreign_kind(const Content& content) {
     if (has_item(text, "<Xdmf")) return fmt::format("this is an XDMF head, which is not read; {}", export_it);
     if (const auto kind = dump_kind(text)) return kind;
     if (const auto kind = field_kind(text)) return kind;
+    if (has_returns_alone(head)) {
+        return "this is text whose lines end with carriage returns alone, which is not read; save it with the line "
+               "ends "
+               "of Unix or Windows";
+    }
     return yaml_kind(text);
 }
 

@@ -2,22 +2,16 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <string_view>
 
 #include <fmt/format.h>
+
+#include "analyzer/readers/tilt.hpp"
 
 namespace recoat {
 namespace {
 
 constexpr std::array<double Vec3::*, 3> axes = {&Vec3::x, &Vec3::y, &Vec3::z};
-
-/// Zero, but for round-off of a box of this side.
-void require_zero(const TextCursor& cursor, double tilt, double side) {
-    constexpr double round_off = 1e-12;
-    if (std::abs(tilt) <= round_off * std::abs(side)) return;
-    cursor.fail("the box is triclinic (tilted), which has no meaning for a layer; write it from an orthogonal box");
-}
 
 /// The next line of a box, with so many numbers.
 void next_bounds(TextCursor& cursor, std::size_t numbers) {
@@ -51,7 +45,7 @@ Box read_dump_box(TextCursor& cursor) {
         if (vectors) {
             const double side = cursor.number(a, "edge");
             for (const std::size_t other : {(a + 1) % 3, (a + 2) % 3}) {
-                require_zero(cursor, cursor.number(other, "edge"), side);
+                require_no_tilt(cursor, cursor.number(other, "edge"), side);
             }
             box.lower.*axes[a] = cursor.number(3, "origin");
             box.upper.*axes[a] = box.lower.*axes[a] + side;
@@ -59,7 +53,7 @@ Box read_dump_box(TextCursor& cursor) {
         }
         box.lower.*axes[a] = cursor.number(0, "lower bound");
         box.upper.*axes[a] = cursor.number(1, "upper bound");
-        if (tilts) require_zero(cursor, cursor.number(2, "tilt"), box.upper.*axes[a] - box.lower.*axes[a]);
+        if (tilts) require_no_tilt(cursor, cursor.number(2, "tilt"), box.upper.*axes[a] - box.lower.*axes[a]);
     }
     return box;
 }
@@ -79,7 +73,7 @@ void DataBox::take(const TextCursor& cursor) {
         for (std::size_t i = 0; i < 3; ++i) {
             // xy and xz shift along x, yz along y.
             const double side = i < 2 ? box_.upper.x - box_.lower.x : box_.upper.y - box_.lower.y;
-            require_zero(cursor, cursor.number(i, cells[3 + i]), side);
+            require_no_tilt(cursor, cursor.number(i, cells[3 + i]), side);
         }
     } else if (cells.size() == 5 && cells[3] == "abc" && cells[4] == "origin") {
         box_.lower = {cursor.number(0, "origin"), cursor.number(1, "origin"), cursor.number(2, "origin")};
@@ -90,7 +84,7 @@ void DataBox::take(const TextCursor& cursor) {
 void DataBox::take_edge(const TextCursor& cursor, std::size_t axis) {
     edge_.*axes[axis] = cursor.number(axis, "edge");
     for (const std::size_t other : {(axis + 1) % 3, (axis + 2) % 3}) {
-        require_zero(cursor, cursor.number(other, "edge"), edge_.*axes[axis]);
+        require_no_tilt(cursor, cursor.number(other, "edge"), edge_.*axes[axis]);
     }
     ++edges_;
 }

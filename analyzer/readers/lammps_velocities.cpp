@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "common/number.hpp"
+
 namespace recoat {
 namespace {
 
@@ -13,6 +15,15 @@ const std::vector<std::string> names = {"id", "vx", "vy", "vz", "omegax", "omega
 
 /// Places of particles by identity; a place is taken away when its line has been read.
 using Places = std::unordered_map<std::int64_t, std::size_t>;
+
+/// To the next line that is more than a comment.
+bool next_content(TextCursor& cursor) {
+    while (cursor.next_filled()) {
+        cursor.drop_comment('#');
+        if (!trimmed(cursor.line()).empty()) return true;
+    }
+    return false;
+}
 
 std::size_t take_place(const TextCursor& cursor, Places& places) {
     const std::int64_t id = cursor.integer(0, "id");
@@ -36,13 +47,12 @@ void read_lammps_velocities(TextCursor& cursor, Source& source) {
     if (places.size() != source.id.size()) return;  // an identity is there twice, which is refused later
     source.velocity.resize(source.position.size());
     for (std::size_t i = 0; i < source.position.size(); ++i) {
-        if (i == 0 ? !cursor.next_filled() : !cursor.next()) {
+        if (!next_content(cursor)) {
             cursor.fail(
                 fmt::format("the section Velocities ends after {} of {} atoms; copy the file again from where it "
                             "was made",
                             i, source.position.size()));
         }
-        cursor.drop_comment('#');
         cursor.split();
         const std::size_t columns = cursor.cells().size();
         if (columns != linear_columns && columns != all_columns) {

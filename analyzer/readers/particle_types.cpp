@@ -70,6 +70,10 @@ void choose_types(Source& source, const std::string& file, const ReadOptions& op
         const std::string& name = source.type.names[source.type.of[i]];
         kept[i] = (options.types.empty() || among(options.types, name)) && !among(options.types_left_out, name);
     }
+    if (std::ranges::find(kept, true) == kept.end()) {
+        source.warnings.push_back(
+            fmt::format("{}: the choice of types leaves no particle; the types are: {}", file, list_types(source)));
+    }
     keep(source, kept);
 }
 

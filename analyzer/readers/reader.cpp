@@ -32,12 +32,19 @@ constexpr std::array all_readers = {recoat_state_reader,   vtkhdf_reader,       
 
 const Reader& reader_of(const Content& content) {
     if (const auto kind = foreign_kind(content)) throw InputError(fmt::format("{}: {}", content.name(), *kind));
-    std::string known;
     for (const Reader& reader : all_readers) {
         if (reader.recognises(content)) return reader;
-        known += fmt::format("{}{}", known.empty() ? "" : "; ", reader.description);
     }
-    throw InputError(fmt::format("{}: the format is not known; known are: {}", content.name(), known));
+    if (content.is_hdf5()) {
+        throw InputError(fmt::format(
+            "{}: this HDF5 file holds no particles that are known (no group VTKHDF); give a state of recoat-solve, or "
+            "points as VTKHDF of another code",
+            content.name()));
+    }
+    throw InputError(
+        fmt::format("{}: the format is not known; give particles as a table (CSV), as VTK file or extended XYZ, or of "
+                    "LAMMPS, LIGGGHTS, Yade, MercuryDPM, EDEM or recoat-solve (all formats: recoat-analyze describe)",
+                    content.name()));
 }
 
 }  // namespace

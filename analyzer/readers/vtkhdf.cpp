@@ -23,18 +23,47 @@ struct Rows {
     std::size_t first = 0, count = 0;
 };
 
+bool holds_points(const std::string& type) { return type == "PolyData" || type == "UnstructuredGrid"; }
+
+bool gives_sizes(const hdf5::Group& data_set, const ColumnNames& chosen) {
+    if (!data_set.has("PointData")) return false;
+    std::vector<std::string> names = data_set.group("PointData").names();
+    std::ranges::transform(names, names.begin(), lower_case);
+    for (const std::string* own : {&chosen.radius, &chosen.diameter}) {
+        if (!own->empty()) return find_column(names, *own).has_value();
+    }
+    return find_usual_size(names).has_value();
+}
+
+/// The data set of the particles: the only one with points in a collection, or the only one that gives their sizes.
+hdf5::Group data_set_of(hdf5::Group root, const ColumnNames& chosen, const std::string& file) {
+    const std::string type = root.text_attribute("Type");
+    if (type != "PartitionedDataSetCollection" && type != "MultiBlockDataSet") return root;
+    std::vector<std::string> names, points, sized;
+    for (const std::string& name : root.names()) {
+        const hdf5::Group data_set = root.group(name);
+        if (!data_set.has_attribute("Type")) continue;  // how the data sets belong together
+        names.push_back(name);
+        if (!holds_points(data_set.text_attribute("Type"))) continue;
+        points.push_back(name);
+        if (gives_sizes(data_set, chosen)) sized.push_back(name);
+    }
+    if (points.size() == 1) return root.group(points.front());
+    if (sized.size() == 1) return root.group(sized.front());
+    throw InputError(fmt::format(
+        "{}: the file is a collection of data sets ({}), {} of them with particles; save the one to read as "
+        "PolyData in a file of its own",
+        file, quotable_list(names), sized.empty() ? "none" : "several"));
+}
+
 class VtkHdfReader {
 public:
     VtkHdfReader(const Content& content, const ColumnNames& chosen)
-        : file_(content.name()), chosen_(chosen), root_(hdf5::File::open(content.file).group(group_name)) {
+        : file_(content.name()),
+          chosen_(chosen),
+          root_(data_set_of(hdf5::File::open(content.file).group(group_name), chosen, file_)) {
         const std::string type = root_.text_attribute("Type");
-        if (type == "PartitionedDataSetCollection" || type == "MultiBlockDataSet") {
-            fail(fmt::format(
-                "the file is a collection of data sets ({}); save the one with the particles as PolyData in "
-                "a file of its own",
-                quotable_list(root_.names())));
-        }
-        if (type != "PolyData" && type != "UnstructuredGrid") {
+        if (!holds_points(type)) {
             fail(
                 fmt::format("the data set is of the kind \"{}\", which holds no particles; give PolyData or "
                             "UnstructuredGrid",

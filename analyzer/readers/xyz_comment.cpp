@@ -1,10 +1,12 @@
 #include "analyzer/readers/xyz_comment.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "analyzer/readers/tilt.hpp"
 #include "common/number.hpp"
 
 namespace recoat {
@@ -27,12 +29,25 @@ char closing_of(char c) {
     }
 }
 
+/// Place of the mark that closes the one at the beginning, which may have others of its kind inside.
+std::size_t end_of_enclosed(std::string_view text) {
+    const char opening = text[0], closing = closing_of(opening);
+    int depth = 1;
+    for (std::size_t i = 1; i < text.size(); ++i) {
+        if (text[i] == closing) {
+            if (--depth == 0) return i;
+        } else if (text[i] == opening) {
+            ++depth;
+        }
+    }
+    return text.size();
+}
+
 /// Takes a value off the front of the text.
 std::string take_value(std::string_view& text) {
-    const char closing = text.empty() ? '\0' : closing_of(text[0]);
     std::size_t end = 0;
-    if (closing != 0) {
-        end = std::min(text.find(closing, 1), text.size());
+    if (!text.empty() && closing_of(text[0]) != 0) {
+        end = end_of_enclosed(text);
         const std::string value(text.substr(1, end - 1));
         text.remove_prefix(std::min(end + 1, text.size()));
         return value;
@@ -43,15 +58,18 @@ std::string take_value(std::string_view& text) {
     return value;
 }
 
-/// Numbers between blanks or commas.
-std::vector<double> numbers_of(const TextCursor& cursor, const std::string& key, std::string text) {
-    for (char& c : text) {
-        if (c == ',') c = ' ';
-    }
-    std::vector<double> numbers;
+/// Words between blanks, commas and brackets: "4 2 3", or [[4, 0, 0], [0, 2, 0], [0, 0, 3]].
+std::vector<std::string> words_of(std::string text) {
+    std::ranges::replace_if(
+        text, [](char c) { return c == ',' || c == '[' || c == ']'; }, ' ');
     TextCursor words({}, text);
     if (words.next()) words.split();
-    for (const std::string_view word : words.cells()) {
+    return {words.cells().begin(), words.cells().end()};
+}
+
+std::vector<double> numbers_of(const TextCursor& cursor, const std::string& key, const std::string& text) {
+    std::vector<double> numbers;
+    for (const std::string& word : words_of(text)) {
         const auto number = parse_number(word);
         if (!number || !std::isfinite(*number)) {
             cursor.fail(fmt::format("\"{}\" in {} is no finite number; correct it", quotable(word), key));
@@ -61,15 +79,20 @@ std::vector<double> numbers_of(const TextCursor& cursor, const std::string& key,
     return numbers;
 }
 
-/// The three flags, each T, F, 1, 0, true or false.
-std::array<bool, 3> periodic_of(const std::string& text) {
+/// The three flags, each T, F, 1, 0, true or false; none where nothing is said.
+std::array<bool, 3> periodic_of(const TextCursor& cursor, const std::string& text) {
+    constexpr std::array<std::string_view, 3> yes = {"t", "1", "true"}, no = {"f", "0", "false"};
     std::array<bool, 3> periodic = {};
-    TextCursor words({}, text);
-    if (words.next()) words.split();
-    for (std::size_t a = 0; a < 3 && words.cells().size() == 3; ++a) {
-        const std::string word = lower_case(words.cells()[a]);
-        periodic[a] = word == "t" || word == "1" || word == "true";
+    const std::vector<std::string> words = words_of(lower_case(text));
+    const auto known = [&](const std::string& word) {
+        return std::ranges::find(yes, word) != yes.end() || std::ranges::find(no, word) != no.end();
+    };
+    if (words.empty()) return periodic;
+    if (words.size() != 3 || !std::ranges::all_of(words, known)) {
+        cursor.fail(
+            fmt::format("\"{}\" in pbc is not three of T and F, as in pbc=\"F T F\"; correct it", quotable(text)));
     }
+    for (std::size_t a = 0; a < 3; ++a) periodic[a] = std::ranges::find(yes, words[a]) != yes.end();
     return periodic;
 }
 
@@ -101,9 +124,13 @@ XyzComment parse_xyz_comment(std::string_view line) {
         while (end < line.size() && line[end] != '=' && !is_blank(line[end])) ++end;
         const std::string key = lower_case(line.substr(0, end));
         line.remove_prefix(end);
-        if (line.empty() || line[0] != '=') continue;
-        line.remove_prefix(1);
-        comment.values[key] = take_value(line);
+        if (line.starts_with('=')) {
+            line.remove_prefix(1);
+            comment.values[key] = take_value(line);
+        } else if (key == "timestep:") {  // the plain XYZ of LAMMPS: "Atoms. Timestep: 1000"
+            line = trimmed(line);
+            comment.values["timestep"] = take_value(line);
+        }
     }
     return comment;
 }
@@ -141,9 +168,7 @@ std::optional<Box> xyz_box(const XyzComment& comment, const TextCursor& cursor) 
     if (lattice.size() == 9) {
         sides = {lattice[0], lattice[4], lattice[8]};
         for (const std::size_t i : {1U, 2U, 3U, 5U, 6U, 7U}) {
-            if (lattice[i] == 0) continue;
-            cursor.fail(
-                "the box is triclinic (tilted), which has no meaning for a layer; write it from an orthogonal box");
+            require_no_tilt(cursor, lattice[i], lattice[i / 3 * 4]);
         }
     }
     const std::vector<double> origin = numbers_of(cursor, "Origin", comment.value("origin"));
@@ -153,7 +178,7 @@ std::optional<Box> xyz_box(const XyzComment& comment, const TextCursor& cursor) 
     Box box;
     if (!origin.empty()) box.lower = {origin[0], origin[1], origin[2]};
     box.upper = {box.lower.x + sides.x, box.lower.y + sides.y, box.lower.z + sides.z};
-    box.periodic = periodic_of(comment.value("pbc"));
+    box.periodic = periodic_of(cursor, comment.value("pbc"));
     box.unwrapped = box.periodic;
     return box;
 }

@@ -11,8 +11,8 @@
 
 namespace recoat {
 
-/// What the second line of a frame of an extended XYZ file says: key=value pairs, values with blanks in quotes or
-/// braces.
+/// What the second line of a frame of an extended XYZ file says: key=value pairs, values with blanks in quotes,
+/// braces or brackets.
 struct XyzComment {
     std::map<std::string, std::string> values;  ///< by key, in small letters
 
@@ -26,7 +26,8 @@ struct XyzComment {
 /// a property has several. Without Properties those of plain XYZ: species, pos:0 ... pos:2. Throws InputError.
 [[nodiscard]] std::vector<std::string> xyz_columns(const XyzComment& comment, const TextCursor& cursor);
 
-/// The box of Lattice, Origin and pbc; nothing without a lattice. Throws InputError when it is tilted or no box.
+/// The box of Lattice, Origin and pbc; nothing without a lattice. Throws InputError when it is tilted or no box, or pbc
+/// is not three flags.
 [[nodiscard]] std::optional<Box> xyz_box(const XyzComment& comment, const TextCursor& cursor);
 
 }  // namespace recoat

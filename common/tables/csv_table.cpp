@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 
 #include <fmt/format.h>
@@ -152,8 +153,14 @@ private:
         return {factors.x * x, factors.y * y, factors.z * z};
     }
 
+    /// Not a number where a cell is empty, as tables are written from numbers that are none.
+    [[nodiscard]] double number_or_nothing(std::size_t column) {
+        return cursor_.cells()[column].empty() ? std::numeric_limits<double>::quiet_NaN() : any_number(column);
+    }
+
     [[nodiscard]] Vec3 any_vector(const VectorColumns& columns, const Vec3& factors) {
-        const double x = any_number(columns[0]), y = any_number(columns[1]), z = any_number(columns[2]);
+        const double x = number_or_nothing(columns[0]), y = number_or_nothing(columns[1]),
+                     z = number_or_nothing(columns[2]);
         return {factors.x * x, factors.y * y, factors.z * z};
     }
 
@@ -166,7 +173,11 @@ private:
 
     /// Some programs write whole numbers as 12.0.
     [[nodiscard]] std::int64_t identity() {
-        if (const auto whole = parse_integer(cursor_.cells()[*columns_.id])) return *whole;
+        const std::string_view cell = cursor_.cells()[*columns_.id];
+        if (const auto whole = parse_integer(cell)) return *whole;
+        const std::size_t mark = std::min(cell.find_first_of(".,"), cell.size());
+        const bool only_zeros = cell.find_first_not_of('0', mark + 1) == std::string_view::npos;
+        if (const auto whole = parse_integer(cell.substr(0, mark)); whole && only_zeros) return *whole;
         const double value = number(*columns_.id);
         constexpr double largest = 0x1p53;
         if (value != std::floor(value) || std::abs(value) > largest) {

@@ -45,10 +45,6 @@ void TextCursor::need_line_end() const {
     fail("the file ends inside this line, so its last value may be cut; copy the file again from where it was made");
 }
 
-void TextCursor::skip(std::size_t count, std::string_view wanted) {
-    for (std::size_t i = 0; i < count; ++i) need(wanted);
-}
-
 void TextCursor::drop_front(std::string_view characters) {
     const auto drops = [&](char c) { return is_white_space(c) || characters.find(c) != std::string_view::npos; };
     while (!line_.empty() && drops(line_.front())) line_.remove_prefix(1);

@@ -23,8 +23,6 @@ public:
     bool next_filled();
     /// Moves to the next line, blank or not. Throws InputError when the text ends before `wanted`.
     void need(std::string_view wanted);
-    /// Passes over lines. Throws InputError when the text ends before.
-    void skip(std::size_t count, std::string_view wanted);
 
     /// Throws InputError when the text ends inside the line, whose last number may then be cut. Blank lines do not
     /// count.

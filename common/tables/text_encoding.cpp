@@ -64,6 +64,13 @@ std::string_view wide_encoding(std::string_view bytes) {
     return is_spread_out(bytes, 2) ? "UTF-16" : "";
 }
 
+std::string wide_text_problem(std::string_view bytes) {
+    const std::string encoding(wide_encoding(bytes));
+    if (encoding.empty()) return {};
+    return "the file is text in " + encoding + ", which is not read; save it as UTF-8 (in an editor, or by iconv -f " +
+           encoding + " -t UTF-8)";
+}
+
 std::string in_utf8(std::string_view text) {
     if (is_utf8(text)) return std::string(text);
     std::string result;

@@ -12,6 +12,9 @@ namespace recoat {
 /// empty.
 [[nodiscard]] std::string_view wide_encoding(std::string_view bytes);
 
+/// What is wrong with a text that is in such an encoding, and what to do; empty for others.
+[[nodiscard]] std::string wide_text_problem(std::string_view bytes);
+
 /// The text in UTF-8: bytes that are not UTF-8 are taken for Latin-1 (ISO 8859-1).
 [[nodiscard]] std::string in_utf8(std::string_view text);
 

@@ -7,7 +7,6 @@
 #include "common/number.hpp"
 #include "common/state.hpp"
 #include "solver/engine/limits.hpp"
-#include "solver/scene/particle_csv.hpp"
 #include "solver/scene/seeding.hpp"
 
 namespace recoat {
@@ -21,7 +20,7 @@ void refuse_other_value(const StateSource& source, const char* what, double of_s
 }
 
 /// Files of other codes that were converted need not say how the particles move; older ones then hold NaN.
-void begin_at_rest_where_unknown(State& state, const std::filesystem::path& file) {
+void begin_at_rest_where_unknown(State& state, const std::filesystem::path& file, FileWarnings warnings) {
     std::string unknown;
     for (auto* velocities : {&state.velocity, &state.angular_velocity}) {
         const bool known = std::ranges::any_of(*velocities, [](Vec3 v) { return !std::isnan(v.x); });
@@ -30,7 +29,7 @@ void begin_at_rest_where_unknown(State& state, const std::filesystem::path& file
         unknown += unknown.empty() ? "" : " and ";
         unknown += velocities == &state.velocity ? "velocities" : "angular velocities";
     }
-    if (!unknown.empty())
+    if (!unknown.empty() && warnings == FileWarnings::show)
         warn("recoat-solve", file.string() + ": the state gives no " + unknown + "; they are taken as zero");
 }
 
@@ -44,13 +43,13 @@ void refuse_unknown_velocities(const ParticleTable& particles, const std::filesy
 }
 
 /// The particles of a state that was made under the same conditions.
-ParticleTable from_state(const StateSource& source, const Scene& scene) {
+ParticleTable from_state(const StateSource& source, const Scene& scene, FileWarnings warnings) {
     const StateInfo info = read_state_info(source.file);
     refuse_other_value(source, "particle diameter", info.diameter, scene.diameter);
     refuse_other_value(source, "density", info.density, scene.model.density);
     refuse_other_value(source, "period in y", info.y_period, scene.y_period);
     State state = read_state(source.file);
-    begin_at_rest_where_unknown(state, source.file);
+    begin_at_rest_where_unknown(state, source.file, warnings);
     return {std::move(state.position), std::move(state.velocity), std::move(state.angular_velocity),
             std::move(state.radius)};
 }
@@ -86,13 +85,13 @@ void refuse_fast_spins(const ParticleTable& particles, const std::filesystem::pa
 
 }  // namespace
 
-ParticleTable initial_particles(const Scene& scene) {
+ParticleTable initial_particles(const Scene& scene, FileWarnings warnings) {
     if (const auto* column = std::get_if<ColumnSource>(&scene.source)) {
         return seed_column(*column, scene.diameter, scene.y_period);
     }
     const auto* table = std::get_if<TableSource>(&scene.source);
-    ParticleTable particles =
-        table ? read_particle_csv(table->file) : from_state(std::get<StateSource>(scene.source), scene);
+    ParticleTable particles = table ? read_particle_csv(table->file, warnings)
+                                    : from_state(std::get<StateSource>(scene.source), scene, warnings);
     const std::filesystem::path& file = table ? table->file : std::get<StateSource>(scene.source).file;
     refuse_odd_lengths(particles, file, scene.diameter);
     refuse_unknown_velocities(particles, file);

@@ -40,13 +40,9 @@ std::optional<Wall> joined(const Wall& a, const Wall& b) {
     return both;
 }
 
-}  // namespace
-
-std::vector<Wall> join_boxes(std::vector<Wall> walls, const std::vector<Stage>& stages) {
-    const std::set<std::string> moved = walls_in(stages);
-    const auto stays = [&](const Wall& wall) {
-        return wall.kind == WallKind::box && wall.velocity == Vec3{} && !moved.contains(wall.name);
-    };
+/// Joins the first two walls that are one box together; false where there are none.
+template <class Stays>
+bool join_two(std::vector<Wall>& walls, const Stays& stays) {
     for (std::size_t i = 0; i < walls.size(); ++i) {
         for (std::size_t j = i + 1; j < walls.size(); ++j) {
             if (!stays(walls[i]) || !stays(walls[j])) continue;
@@ -54,9 +50,21 @@ std::vector<Wall> join_boxes(std::vector<Wall> walls, const std::vector<Stage>& 
             if (!both) continue;
             walls[i] = *both;
             walls.erase(walls.begin() + static_cast<std::ptrdiff_t>(j));
-            j = i;  // the larger box may meet others
+            return true;
         }
     }
+    return false;
+}
+
+}  // namespace
+
+std::vector<Wall> join_boxes(std::vector<Wall> walls, const std::vector<Stage>& stages) {
+    const std::set<std::string> moved = walls_in(stages);
+    const auto stays = [&](const Wall& wall) {
+        return wall.kind == WallKind::box && wall.velocity == Vec3{} && !moved.contains(wall.name);
+    };
+    // A box that was joined may meet others that its parts did not: rows of tiles become a floor.
+    while (join_two(walls, stays)) continue;
     return walls;
 }
 

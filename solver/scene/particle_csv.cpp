@@ -13,6 +13,7 @@
 #include "common/error.hpp"
 #include "common/tables/csv_table.hpp"
 #include "common/tables/text_cursor.hpp"
+#include "common/tables/text_encoding.hpp"
 
 namespace recoat {
 namespace {
@@ -46,8 +47,11 @@ std::vector<Vec3> velocities(std::vector<Vec3> given, const CsvTable& table, con
 
 }  // namespace
 
-ParticleTable read_particle_csv(const std::filesystem::path& file) {
+ParticleTable read_particle_csv(const std::filesystem::path& file, FileWarnings warnings) {
     const std::string text = text_of(file);
+    if (const std::string problem = wide_text_problem(text); !problem.empty()) {
+        throw InputError(fmt::format("{}: {}", file.string(), problem));
+    }
     CsvTable table = read_csv_table(file.string(), text, {.whole_velocities = true});
     if (table.position.empty()) {
         throw InputError(file.string() + ": the table has no particles; add a line for each");
@@ -56,7 +60,9 @@ ParticleTable read_particle_csv(const std::filesystem::path& file) {
         table.warnings.push_back(fmt::format("{}: columns that a table of particles does not need are passed over: {}",
                                              file.string(), quotable_list(table.unused)));
     }
-    for (const std::string& sentence : table.warnings) warn("recoat-solve", sentence);
+    if (warnings == FileWarnings::show) {
+        for (const std::string& sentence : table.warnings) warn("recoat-solve", sentence);
+    }
     ParticleTable particles;
     particles.velocity = velocities(std::move(table.velocity), table, file, "velocity");
     particles.angular_velocity = velocities(std::move(table.angular_velocity), table, file, "angular velocity");

@@ -102,9 +102,12 @@ Scene read_scene(Config config, const std::filesystem::path& folder, std::option
 
 Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides) {
     Scene scene = read_scene(Config::load(file, overrides), file.parent_path());
-    // Sizes that stand in another file are known only now; the step must do for the smallest.
-    if (!std::holds_alternative<ColumnSource>(scene.source))
-        scene = read_scene(Config::load(file, overrides), file.parent_path(), diameters_of(initial_particles(scene)));
+    // Sizes that stand in another file are known only now; the step must do for the smallest. Whoever takes the
+    // particles themselves shows the warnings.
+    if (!std::holds_alternative<ColumnSource>(scene.source)) {
+        const auto diameters = diameters_of(initial_particles(scene, FileWarnings::leave_out));
+        scene = read_scene(Config::load(file, overrides), file.parent_path(), diameters);
+    }
     scene.notes = scene_notes(scene);
     if (const auto* table = std::get_if<TableSource>(&scene.source)) scene.resolved += fingerprint(table->file);
     if (const auto* state = std::get_if<StateSource>(&scene.source)) scene.resolved += fingerprint(state->file);

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "common/number.hpp"
+#include "common/readable.hpp"
 #include "solver/scene/read_sizes.hpp"
 #include "solver/scene/read_stages.hpp"
 #include "solver/scene/read_time_step.hpp"
@@ -30,22 +33,29 @@ Box read_box(const Config& box, double diameter, double largest) {
     result.behind_blade = box.quantity_or("behind_blade", Dimension::length, 5 * diameter, Range::not_negative());
     box.finish();  // a misspelt key before what follows from its absence
     const auto least = [&](double diameters) {
-        return "give " + shortest(diameters * largest / diameter) + " dp or more";
+        return fmt::format("the largest particles, which measure {}; give {} dp or more", readable(largest, "m"),
+                           shortest(diameters * largest / diameter));
     };
-    if (result.width < 4 * largest) box.fail("width", "the period is too short for the largest particles; " + least(4));
-    if (result.fill_length < 2 * largest) box.fail("fill_length", "no room for the largest particles; " + least(2));
+    if (result.width < 4 * largest) box.fail("width", "the period is too short for " + least(4));
+    if (result.fill_length < 2 * largest) box.fail("fill_length", "no room for " + least(2));
     return result;
 }
 
 Blade read_blade(const Config& blade, double diameter) {
     Blade result{};
     result.thickness = blade.quantity_or("thickness", Dimension::length, 4 * diameter, Range::positive());
-    result.clearance = blade.quantity("clearance", Dimension::length, Range::positive());
+    result.clearance = blade.quantity("clearance", Dimension::length);
     result.speed = blade.quantity("speed", Dimension::speed, Range::positive());
     result.lift_speed = blade.quantity_or("lift_speed", Dimension::speed, result.speed, Range::positive());
     result.position = blade.quantity_or("position", Dimension::length, 0);
     result.height = blade.quantity_or("height", Dimension::length, 0, Range::not_negative());
     blade.finish();
+    if (!(result.clearance > 0)) {
+        blade.fail("clearance",
+                   fmt::format("no particle can pass under a blade with a clearance of {}; give more than the "
+                               "diameter of the largest, e.g. 1.5 dp",
+                               readable(result.clearance, "m")));
+    }
     return result;
 }
 

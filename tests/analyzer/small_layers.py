@@ -36,6 +36,11 @@ def data_head():
     return f"LAMMPS data file\n\n{COUNT} atoms\n1 atom types\n\n{box}\nAtoms # sphere\n\n"
 
 
+def xyz_head():
+    lattice = " ".join(repr(BOX[i][1]) if i == j else "0" for i in range(3) for j in range(3))
+    return f'{COUNT}\nLattice="{lattice}" pbc="F T F" Properties=species:S:1:pos:R:3:velo:R:3:radius:R:1:id:I:1\n'
+
+
 def column(values):
     return "\n".join(map(repr, np.asarray(values).tolist())) + "\n"
 
@@ -71,6 +76,7 @@ def texts():
         "lammps-data": data_head() + rows("{id} 1 {d} 2500 {x} {y} {z} 0 0 0"),
         "yade-text": "#format id_x_y_z_r\n" + rows("{id}\t{x}\t{y}\t{z}\t{r}"),
         "mercury-data": f"{COUNT} 0 {box}\n" + rows("{x} {y} {z} {vx} {vy} {vz} {r} 0 0 0 0 0 0 0"),
+        "extended-xyz": xyz_head() + rows("1 {x} {y} {z} {vx} {vy} {vz} {r} {id}"),
         "legacy-vtk": legacy(),
         "vtk-xml": xml(),
     }

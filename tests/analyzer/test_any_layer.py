@@ -152,8 +152,11 @@ def test_a_region_without_particles(refused, good, powder):
     began = time.monotonic()
     for region in ("1,2", "-2,-1", "0,2", "-1mm,1mm"):
         sentence = refused("metrics", file, *LEAST, "--region", region)
-        assert "x_range" in sentence and f"{points[:, 0].min():.9g} and {points[:, 0].max():.9g} m" in sentence
+        assert f"error: --region {region}: " in sentence and "x_range" not in sentence and f"{points[:, 0].min():.9g} and {points[:, 0].max():.9g} m" in sentence
     assert time.monotonic() - began < 20
+    assert "--set x_range=[1, 2]: x_range: no particle" in refused("metrics", file, *LEAST, "--set", "x_range=[1, 2]")
+    assert "--region 1mm,1.001mm: the region is 1e-06 m long, less than half" in refused("metrics", file, *LEAST, "--region", "1mm,1.001mm")
+    assert "--period y=0,1um: the period is 1e-06 m, less than half a cell" in refused("metrics", file, *LEAST, "--period", "y=0,1um")
     good("metrics", file, *LEAST, *QUICK, "--region", "-0.1mm,2.1mm")
 
 

@@ -103,6 +103,20 @@ TEST_F(Csv, Identities) {
     EXPECT_EQ(read(far).id, (std::vector<std::int64_t>{-(1LL << 53), 1LL << 53}));
     EXPECT_TRUE(begins(error(far + "-9007199254740992,1,2,3,1\n"), "table.csv:4: the id -9007199254740992 has been"));
     EXPECT_TRUE(begins(error("id,x,y,z,r\n7.5,1,2,3,1\n"), "table.csv:2: column 1 (id): \"7.5\": this is no whole"));
+    // To the last bit also as some programs write whole numbers.
+    EXPECT_EQ(read("id,x,y,z,r\n1152921504606846977.00,1,2,3,1\n").id, (std::vector<std::int64_t>{(1LL << 60) + 1}));
+    EXPECT_TRUE(begins(error("id,x,y,z,r\n.,1,2,3,1\n"), "table.csv:2: column 1 (id): \".\": this is no"));
+    EXPECT_TRUE(begins(error("id,x,y,z,r\n18446744073709551615,1,2,3,1\n"), "table.csv:2: column 1 (id): \"1844"));
+}
+
+// As tables are written from numbers that are none.
+TEST_F(Csv, EmptyCellsOfVelocities) {
+    const Source source = read("x,y,z,r,vx,vy,vz,wx,wy,wz\n1,2,3,1,,,,7,8,9\n1,2,3,1,4,5,6,7,8,9\n");
+    EXPECT_EQ(source.position.size(), 2U);
+    EXPECT_TRUE(source.velocity.empty());
+    EXPECT_EQ(source.angular_velocity.size(), 2U);
+    ASSERT_EQ(source.warnings.size(), 1U);
+    EXPECT_NE(source.warnings[0].find(":2: the velocity of this particle is not finite"), std::string::npos);
 }
 
 TEST_F(Csv, ATableWithoutLinesHasNoParticles) { EXPECT_TRUE(read("x,y,z,radius\n").position.empty()); }
@@ -146,7 +160,8 @@ TEST_F(Csv, FilesThatAreNoTables) {
     EXPECT_TRUE(begins(error(wide), "table.csv:1: the line has 500001 columns, which is no table of particles"));
     EXPECT_EQ(error(""), "table.csv: the file is empty; give a file of particles");
     EXPECT_EQ(error("\n \n"), "table.csv: the file has no lines of text; give a table of particles");
-    EXPECT_TRUE(begins(error(std::string("x,y\0z", 5)), "table.csv: the format is not known; known are:"));
+    EXPECT_TRUE(
+        begins(error(std::string("x,y\0z", 5)), "table.csv: the format is not known; give particles as a table"));
     EXPECT_TRUE(begins(error("\x89HDF\r\n\x1a\n garbage"), "table.csv: this is not a whole HDF5 file"));
     const std::string missing = message_of<InputError>([] { (void)read_particles("/nowhere/to/be/found.csv"); });
     EXPECT_EQ(missing, "/nowhere/to/be/found.csv: the file cannot be read; check its name and permissions");

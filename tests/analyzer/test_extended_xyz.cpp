@@ -59,6 +59,46 @@ TEST_F(ExtendedXyz, OtherSpellings) {
     EXPECT_TRUE(read("0\nProperties=pos:R:3:radius:R:1\n").position.empty());
 }
 
+// As the specification of extended XYZ has arrays, and as boxes come out of rotations.
+TEST_F(ExtendedXyz, ArraysInBracketsAndRoundedBoxes) {
+    const auto box_of = [&](const std::string& comment) {
+        return read("1\nProperties=pos:R:3:radius:R:1 " + comment + "\n1 1 1 0.5\n").box.value();
+    };
+    const Box brackets = box_of("Lattice=[[4, 0, 0], [0, 2, 0], [0, 0, 3]] pbc=[F, T, F] Origin=[0, -1, 0] energy=1");
+    EXPECT_EQ(brackets.lower, (Vec3{0, -1, 0}));
+    EXPECT_EQ(brackets.upper, (Vec3{4, 1, 3}));
+    EXPECT_EQ(brackets.periodic, (std::array{false, true, false}));
+    EXPECT_EQ(box_of("Lattice=\"4 1e-15 0 0 2 0 -1e-16 0 3\" pbc=\"false True 0\"").periodic,
+              (std::array{false, true, false}));
+    for (const std::string pbc : {"T", "[F, maybe, F]", "\"T T\""}) {
+        EXPECT_TRUE(begins(error("1\nProperties=pos:R:3:radius:R:1 Lattice=\"4 2 3\" pbc=" + pbc + "\n1 1 1 0.5\n"),
+                           "layer:2: \""))
+            << pbc;
+    }
+}
+
+// Types may be numbers, and the comment that of `dump xyz` of LAMMPS.
+TEST_F(ExtendedXyz, PlainFramesOfLammps) {
+    const std::string frames = "1\nAtoms. Timestep: 1000\n1 1 2 3\n1\nAtoms. Timestep: 2000\n2 4 5 6\n";
+    const Source source = read(frames, {.radius = 0.5, .step = {StepChoice::Which::number, 1000}});
+    EXPECT_EQ(source.position, (std::vector<Vec3>{{1, 2, 3}}));
+    EXPECT_EQ(source.type.names, (std::vector<std::string>{"1"}));
+    EXPECT_EQ(read(frames, {.radius = 0.5}).step, 2000);
+}
+
+TEST_F(ExtendedXyz, TheLineThatIsToBlame) {
+    const auto with = [&](const std::string& from, const std::string& to) {
+        return error(replaced(two_frames, from, to), {.step = {StepChoice::Which::first, 0}});
+    };
+    EXPECT_TRUE(
+        begins(with("Q 2 1", "# a note\nQ 2 1"), "layer:4: the line has 3 columns, but each of the 2 particles of"));
+    EXPECT_TRUE(
+        begins(error("1\nProperties=pos:R:3:radius:R:1\n1 1 1 2.5"), "layer:3: the file ends inside this line"));
+    EXPECT_TRUE(begins(error("1\na comment\nP 1 2 3"), "layer:3: the file ends inside this line"));
+    EXPECT_NE(error("1\nProperties=pos:R:3:grain:R:1\n1 2 3 1\n").find("(it has: pos:0, pos:1, pos:2, grain)"),
+              std::string::npos);
+}
+
 TEST_F(ExtendedXyz, WhatIsRefused) {
     const auto last_of = [&](const std::string& from, const std::string& to) {
         return error(replaced(two_frames, from, to));

@@ -58,6 +58,8 @@ def npy():
         (b"version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 3\n", "a pointer of Git LFS"),
         (b"FoamFile\n{\n version 2.0;\n}\n(1 2 3)\n", "a field of OpenFOAM"),
         (b"---\nspheres:\n- [1, 2, 3]\n", "a YAML file"),
+        (b"%YAML 1.1\n---\n{spheres: []}\n", "a YAML file"),
+        (b"x,y,z,radius\r1,2,3,1\r", "text whose lines end with carriage returns alone"),
         (b"ITEM: TIMESTEP\n0\nITEM: NUMBER OF BONDS\n1\nITEM: BOX BOUNDS ff ff ff\n0 1\n0 1\n0 1\nITEM: BONDS a b\n1 2\n", "dump lists bonds"),
         (b'<?xml version="1.0" ?>\n<Xdmf Version="3.0">\n</Xdmf>', "an XDMF head"),
     ],
@@ -67,9 +69,31 @@ def test_other_kinds(refused, tmp_path, content, kind):
     assert f"layer: this {'' if kind.startswith('dump') else 'is '}{kind}" in refused("describe", "layer")
 
 
-def test_a_collection_in_hdf5(refused, tmp_path):
+def test_a_collection_in_hdf5(good, refused, tmp_path):
+    """The particles are the only data set with points, or the only one with sizes: walls have none."""
+
+    def add(root, name, **arrays):
+        block = root.create_group(name)
+        block.attrs["Type"] = np.bytes_("PolyData" if arrays else "ImageData")
+        block["NumberOfPoints"] = [2]
+        block["Points"] = np.array([[1.0, 2, 3], [4, 5, 6]])
+        for array, values in arrays.items():
+            block[f"PointData/{array}"] = values
+
     with h5py.File(tmp_path / "layer", "w") as file:
         root = file.create_group("VTKHDF")
         root.attrs["Type"] = np.bytes_("PartitionedDataSetCollection")
-        root.create_group("particles").attrs["Type"] = np.bytes_("PolyData")
-    assert "layer: the file is a collection of data sets (particles); save the one with the particles" in refused("describe", "layer")
+        root.create_group("Assembly")
+        add(root, "grid")
+        add(root, "grains", diameter=[1.0, 0.5])
+    assert "particles            2" in good("describe", "layer")
+    with h5py.File(tmp_path / "layer", "r+") as file:
+        add(file["VTKHDF"], "plates", force=[1.0, 2.0])
+    good("convert", "layer", "out.csv")
+    assert (tmp_path / "out.csv").read_text().splitlines()[1].endswith("1,2,3,0.5")
+    (tmp_path / "out.csv").unlink()
+    with h5py.File(tmp_path / "layer", "r+") as file:
+        add(file["VTKHDF"], "more", Radius=[1.0, 0.5])
+    sentence = "layer: the file is a collection of data sets (grains, grid, more, plates), several of them with particles"
+    assert sentence in refused("describe", "layer")
+    good("describe", "layer", "--diameter-column", "diameter")

@@ -30,6 +30,8 @@ TEST_F(Gzip, DamagedFiles) {
     EXPECT_TRUE(begins(error(wrong_sum), "layer: the compressed data are damaged or end too early (incorrect data ch"));
     EXPECT_TRUE(begins(error(whole + "x,y"), "layer: the compressed data are damaged or end too early (something els"));
     EXPECT_EQ(error(packed("")), "layer: the file is empty; give a file of particles");
+    EXPECT_EQ(error(packed(packed("x,y,z,r\n1,2,3,1\n"))),
+              "layer: the file is packed twice, with gzip inside of gzip; unpack it once");
     EXPECT_TRUE(begins(error(packed("\x89HDF\r\n\x1a\n")), "layer: HDF5 files cannot be read while packed with gzip"));
 }
 

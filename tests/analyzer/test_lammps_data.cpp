@@ -57,8 +57,8 @@ TEST_F(LammpsData, CommentsAreNoContent) {
     text = replaced(text, "0 3 zlo zhi", "  \t \n0 3 zlo zhi # open above");
     text = replaced(text, "Atoms # sphere", "# what follows\n  Atoms   # sphere");
     text = replaced(text, "1 1 1 0 -1 0", "1 1 1 0 -1 0 # a grain\n# another\n");
-    text = replaced(text, "Velocities", "# and how fast\nVelocities # m/s");
-    text = replaced(text, "2 1 2 3 0 0 4", "2 1 2 3 0 0 4#fast");
+    text = replaced(text, "Velocities\n\n", "# and how fast\nVelocities # m/s\n\n# those that fall\n\n");
+    text = replaced(text, "2 1 2 3 0 0 4", "2 1 2 3 0 0 4#fast\n  # the other\n");
     const Source source = read(text);
     EXPECT_EQ(source.position, (std::vector<Vec3>{{1, 1, 1}, {2, 1, 1}}));
     EXPECT_EQ(source.velocity, (std::vector<Vec3>{{0, 0, -1}, {1, 2, 3}}));

@@ -101,6 +101,17 @@ def test_particles_of_size_zero(analyze, refused, tmp_path, name):
     assert "1 of 50 particles are left out, for they have the size 0" in done.stderr
 
 
+def test_types_are_described(analyze, good, tmp_path):
+    (tmp_path / "layer").write_text(TYPED["lammps-dump"])
+    facts = json.loads(good("describe", "layer", "--json"))
+    kinds = [part.split(" (")[0] for part in facts["types"].split(", ")]
+    assert len(kinds) > 1 and sum(int(part.split("(")[1][:-1]) for part in facts["types"].split(", ")) == small_layers.COUNT
+    alone = json.loads(good("describe", "layer", "--json", "--type", kinds[0]))
+    assert alone["types"] == facts["types"].split(", ")[0]
+    done = analyze("describe", "layer", "--without-type", ",".join(kinds))
+    assert done.returncode == 0 and "the choice of types leaves no particle; the types are: 2, 1" in done.stderr
+
+
 @pytest.mark.parametrize("value", ["nan", "-nan", "inf"])
 @pytest.mark.parametrize("name", ["lammps-dump", "csv", "mercury-data", "extended-xyz", "vtk-xml", "vtkhdf"])
 def test_velocities_that_are_unknown(analyze, tmp_path, name, value):
@@ -122,5 +133,5 @@ def test_velocities_that_are_unknown(analyze, tmp_path, name, value):
         }[name]
         (tmp_path / "layer").write_text(head + small_layers.rows(row).replace("VY", value, 1).replace("VY", "0"))
     done = analyze("convert", "layer", "out.csv")
-    assert done.returncode == 0 and "the velocity is not finite; it is left out for all particles" in done.stderr
+    assert done.returncode == 0 and "the velocity of this particle is not finite; it is left out for all" in done.stderr
     assert "vx" not in (tmp_path / "out.csv").read_text()

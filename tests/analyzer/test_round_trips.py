@@ -65,7 +65,7 @@ def test_every_foreign_format(good, tmp_path, name, ending):
     good("convert", f"a.{ending}", "end.csv")
     points, radii, velocity, ids = small_layers.particles()
     assert np.array_equal(read_csv(tmp_path / "end.csv", ["x", "y", "z", "radius"]), np.column_stack([points, radii]))
-    if name in ("lammps-dump", "mercury-data", "vtkhdf"):
+    if name in ("lammps-dump", "mercury-data", "extended-xyz", "vtkhdf"):
         assert np.array_equal(read_csv(tmp_path / "end.csv", ["vx", "vy", "vz"]), velocity)
     if name not in ("mercury-data",):
         assert np.array_equal(read_csv(tmp_path / "end.csv", ["id"])[:, 0], ids)

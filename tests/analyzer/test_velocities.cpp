@@ -40,7 +40,8 @@ TEST_F(Velocities, OfTables) {
     EXPECT_TRUE(unknown.velocity.empty());
     EXPECT_EQ(unknown.angular_velocity.size(), 1U);
     ASSERT_EQ(unknown.warnings.size(), 1U);
-    EXPECT_TRUE(unknown.warnings[0].ends_with("layer:2: the velocity is not finite; it is left out for all particles"));
+    EXPECT_TRUE(
+        unknown.warnings[0].ends_with("layer:2: the velocity of this particle is not finite; it is left out for all"));
 }
 
 TEST_F(Velocities, OfDumpsInTheirUnits) {

@@ -74,7 +74,7 @@ TEST_F(VtkHdf, WhatIsRefused) {
     (void)hdf5::File::create(path_).create_group("VTKHDF");
     EXPECT_TRUE(begins(error(), "layer: /VTKHDF: attribute Type: it is missing"));
     (void)hdf5::File::create(path_).create_group("somewhere");
-    EXPECT_TRUE(begins(error(), "layer: the format is not known"));
+    EXPECT_TRUE(begins(error(), "layer: this HDF5 file holds no particles that are known (no group VTKHDF)"));
     auto root = hdf5::File::create(path_).create_group("VTKHDF");
     root.set_attribute("Type", std::string("PolyData"));
     root.write("Points", Reals{1, 2, 3, 4}, {2, 2});

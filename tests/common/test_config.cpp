@@ -179,6 +179,25 @@ INSTANTIATE_TEST_SUITE_P(
                 "scene.yaml:1: the file holds no \"key: value\" pairs at its top; start from a shipped example"},
         Refused{"a: &a [*a]\n", "scene.yaml:1: the values are nested too deeply; simplify the file"}));
 
+TEST(Config, TextInLatin1IsRead) {
+    EXPECT_EQ(parse("length: 50 \xB5m\n").quantity("length", Dimension::length), 50e-6);
+    EXPECT_EQ(parse("time: 2 \xC2\xB5s\n").quantity("time", Dimension::time), 2e-6);
+}
+
+TEST(Config, ErrorsNameTheOptionThatGaveAValue) {
+    const std::vector<std::string> settings = {"x_range=[1, no]", "base=2"};
+    const Config config = Config::parse("{}", "", settings);
+    config.set_option("x_range", "--region 1,no");
+    config.set_option("absent", "--nothing");
+    EXPECT_EQ(message_of<InputError>([&] { config.fail("x_range", "too far; go back"); }),
+              "--region 1,no: too far; go back");
+    EXPECT_TRUE(message_of<InputError>([&] {
+                    (void)config.quantities("x_range", Dimension::length);
+                }).starts_with("--region 1,no: "));
+    EXPECT_EQ(message_of<InputError>([&] { config.fail("base", "too low; go up"); }),
+              "--set base=2: base: too low; go up");
+}
+
 TEST(Config, FailNamesTheKey) {
     EXPECT_EQ(
         refusal("a: 1\nb:\n  c: 2\n", [](const Config& c) { c.section("b").fail("c", "it is odd; take an even one"); }),

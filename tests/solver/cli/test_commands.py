@@ -1,6 +1,10 @@
 """Exit codes and sentences of recoat-solve, and what it prints."""
 
 import json
+import os
+import subprocess
+import time
+from pathlib import Path
 
 import pytest
 import yaml
@@ -131,3 +135,18 @@ def test_check_as_text_names_each_limit_with_its_formula(solver):
     for words in ("Rayleigh time", "pi R sqrt(rho/G)", "contact frequency", "van der Waals", "% of it", "at most",
                   "Hamaker constant A^R", "particle-steps/s", "MiB"):
         assert words in text
+
+
+@pytest.mark.parametrize(("told", "expected"), [({}, "1000"), ({"GOMP_SPINCOUNT": "5"}, "5"), ({"OMP_WAIT_POLICY": "active"}, None)])
+def test_threads_sleep_soon_when_they_wait(solver, told, expected):
+    """A thread that waits for one without a processor must not keep its own; what the user sets is left alone."""
+    environment = {key: value for key, value in os.environ.items() if key not in ("GOMP_SPINCOUNT", "OMP_WAIT_POLICY")} | told
+    command = [solver.program, "run", "spread.yaml", "--out", "out", "--set", "stages.fill.settle_time=10 s", "--set", "stages.fill.settle_energy=1e-30"]
+    with subprocess.Popen(command, cwd=solver.folder, env=environment, stderr=subprocess.DEVNULL) as run:
+        try:
+            while not (solver.folder / "out").exists() and run.poll() is None:
+                time.sleep(0.01)
+            variables = dict(pair.split("=", 1) for pair in Path(f"/proc/{run.pid}/environ").read_text().split("\0") if "=" in pair)
+            assert run.poll() is None and variables.get("GOMP_SPINCOUNT") == expected
+        finally:
+            run.kill()

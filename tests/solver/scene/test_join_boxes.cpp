@@ -37,6 +37,20 @@ TEST(JoinBoxes, TilesBecomeOneHoweverTheyAreOrdered) {
     EXPECT_EQ(walls[0].upper, (Vec3{4, 1, 1}));
 }
 
+TEST(JoinBoxes, AFloorOfTilesInRowsIsOneWall) {
+    for (const bool by_rows : {true, false}) {
+        std::vector<Wall> tiles;
+        for (int k = 0; k < 9; ++k) {
+            const double x = by_rows ? k % 3 : k / 3, y = by_rows ? k / 3 : k % 3;
+            tiles.push_back(box(std::to_string(k), {x, y, -1}, {x + 1, y + 1, 0}));
+        }
+        const std::vector<Wall> walls = join_boxes(tiles, {});
+        ASSERT_EQ(walls.size(), 1U);
+        EXPECT_EQ(walls[0].lower, (Vec3{0, 0, -1}));
+        EXPECT_EQ(walls[0].upper, (Vec3{3, 3, 0}));
+    }
+}
+
 TEST(JoinBoxes, WhatIsNoBoxTogetherStaysApart) {
     EXPECT_EQ(join_boxes({left, box("step", {0, -inf, -1}, {inf, inf, 0.1})}, {}).size(), 2U);  // a step
     EXPECT_EQ(join_boxes({left, box("gap", {0.1, -inf, -1}, {inf, inf, 0})}, {}).size(), 2U);   // a gap

@@ -90,6 +90,8 @@ TEST_F(ParticleCsv, SaysWhatItPassesOver) {
 
 TEST_F(ParticleCsv, NamesAMissingFile) {
     EXPECT_THAT(testing::message_of<InputError>([] { read_particle_csv("nowhere.csv"); }), HasSubstr("nowhere.csv"));
+    EXPECT_THAT(refusal(std::string("\xFF\xFEx\0,\0y\0,\0z\0", 12)),
+                HasSubstr("table.csv: the file is text in UTF-16"));
 }
 
 }  // namespace
