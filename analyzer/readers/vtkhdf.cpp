@@ -105,6 +105,7 @@ private:
 
     /// Where the points of a step lie: its parts follow each other.
     [[nodiscard]] Rows rows_of(std::size_t step) const {
+        if (times_.empty() && !root_.has("NumberOfPoints")) return {0, rows_};
         const auto numbers = root_.dataset("NumberOfPoints");
         if (times_.empty()) return {0, sum(numbers.read<std::int64_t>())};
         const auto steps = root_.group("Steps");

@@ -80,7 +80,7 @@ TEST_F(Velocities, OfVtk) {
     EXPECT_TRUE(unknown.velocity.empty());
     EXPECT_FALSE(unknown.angular_velocity.empty());
     ASSERT_EQ(unknown.warnings.size(), 1U);
-    EXPECT_NE(unknown.warnings[0].find("particle 0: the velocity is not finite"), std::string::npos);
+    EXPECT_NE(unknown.warnings[0].find("particle 0: the velocity of this particle is not finite"), std::string::npos);
     for (const auto& [linear, angular] :
          {std::pair("linVelVec", "angVelVec"), std::pair("velocity_lin", "velocity_ang"),
           std::pair("Velocity", "AngularVelocity")}) {

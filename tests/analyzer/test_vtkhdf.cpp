@@ -57,6 +57,14 @@ TEST_F(VtkHdf, AllPartsOfOneStep) {
     }
 }
 
+TEST_F(VtkHdf, AllPointsWhereNothingSaysHowMany) {
+    auto root = hdf5::File::create(path_).create_group("VTKHDF");
+    root.set_attribute("Type", std::string("PolyData"));
+    root.write("Points", Reals{1, 2, 3, 4, 5, 6}, {2, 3});
+    root.create_group("PointData").write("Radius", Reals{0.5, 0.25});
+    EXPECT_EQ(read_particles(path_).position, (std::vector<Vec3>{{1, 2, 3}, {4, 5, 6}}));
+}
+
 TEST_F(VtkHdf, Steps) {
     add_steps(start());
     const Recording recording(path_);
