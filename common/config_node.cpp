@@ -7,7 +7,7 @@
 
 #include "common/error.hpp"
 #include "common/number.hpp"
-#include "common/tables/text_encoding.hpp"
+#include "common/text_encoding.hpp"
 
 namespace recoat {
 namespace {

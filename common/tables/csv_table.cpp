@@ -9,7 +9,7 @@
 
 #include "common/number.hpp"
 #include "common/tables/csv_header.hpp"
-#include "common/tables/text_encoding.hpp"
+#include "common/text_encoding.hpp"
 
 namespace recoat {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "common/number.hpp"
 #include "common/tables/text_cursor.hpp"
-#include "common/tables/text_encoding.hpp"
+#include "common/text_encoding.hpp"
 
 namespace recoat {
 namespace {

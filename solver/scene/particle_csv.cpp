@@ -13,7 +13,7 @@
 #include "common/error.hpp"
 #include "common/tables/csv_table.hpp"
 #include "common/tables/text_cursor.hpp"
-#include "common/tables/text_encoding.hpp"
+#include "common/text_encoding.hpp"
 
 namespace recoat {
 namespace {

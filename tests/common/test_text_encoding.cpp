@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "common/tables/text_encoding.hpp"
+#include "common/text_encoding.hpp"
 
 namespace recoat {
 namespace {

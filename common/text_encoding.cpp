@@ -1,4 +1,4 @@
-#include "common/tables/text_encoding.hpp"
+#include "common/text_encoding.hpp"
 
 #include <algorithm>
 #include <cstddef>
