@@ -10,13 +10,14 @@ from fig06_coordination_number import coordination_shares
 from fig10_cluster_size import class_label, shares_of as cluster_shares, size_classes
 from fig12_surface_height import class_edges, height_shares
 from fig15_pore_size_distribution import cumulative
+from fig16_pore_size_groups import draw_panel
 from layers import Layer, by_bond
 from metrics_table import perpendicular
-from pore_metrics import pore_scalars
+from pore_metrics import DENSITY, pore_scalars
 from readable import duration, quantity
 from report import cell
 from runtime_table import table as runtime_table
-from style import bond_panels
+from style import bond_panels, pyplot, scale_bar
 import synthetic
 
 
@@ -128,6 +129,24 @@ def test_few_pores_prove_nothing(tmp_path):
     assert found["pore_count"][0] == 4 and found["pore_area"][0] == 0.3
     for name in ("pore_mean_dp", "pore_iqr_dp", "pore_perpendicular", "pore_group_2", "chamber_below_1"):
         assert numpy.isnan(found[name]).all(), name
+
+
+def test_a_panel_without_bars_still_has_a_scale(tmp_path):
+    count = {"value": 2, "lower": 1, "upper": 3}
+    found = layer(tmp_path, uncertainty={"density_pores": {"8": {"count": count}}})
+    axes = pyplot.figure().add_subplot()
+    draw_panel(axes, {5.0: [found]}, {5.0: "black"}, DENSITY)
+    assert axes.get_ylim() == (0, 100)
+    assert "no bars" in axes.get_legend().get_texts()[0].get_text()
+
+
+@pytest.mark.parametrize(("width", "length"), [(80, 10), (25, 10), (20, 5), (10, 2), (4, 1)])
+def test_the_bar_of_a_map_is_shorter_than_the_map(width, length):
+    axes = pyplot.figure().add_subplot()
+    axes.set(xlim=(30, 30 + width), ylim=(0, 6))
+    scale_bar(axes)
+    begin, end = axes.lines[0].get_xdata()
+    assert end - begin == pytest.approx(length) and axes.texts[0].get_text() == f"{length} $d_p$"
 
 
 def test_perpendicular_groups(tmp_path):

@@ -29,6 +29,8 @@ def draw_panel(axes, groups, colours, group):
         series[label], errors[label] = (value, colours[bond]), (lower, upper)
     if series:
         grouped_bars(axes, GROUPS, series, errors)
+    else:
+        axes.set_ylim(0, 100)
     axes.set_xticks(range(len(GROUPS)), GROUPS)
     axes.set_xlim(-0.5, len(GROUPS) - 0.5)
     axes.set_xlabel(r"Diameter $D/d_p$ [–]")

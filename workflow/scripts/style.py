@@ -140,9 +140,10 @@ def bond_series(axes, groups, statistic, places=None):
             axes.plot([place] * len(members), [result[0] for result in results], ".", color="0.4", markersize=3, zorder=5)
 
 
-def scale_bar(axes, length=10):
-    """A bar of so many d_p in the lower right corner of a map, and its length."""
+def scale_bar(axes):
+    """A bar of 10 d_p, or fewer on a short map, in the lower right corner of a map, and its length."""
     (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    length = next((length for length in (10, 5, 2) if length <= 0.4 * (right - left)), 1)
     x, y = right - 0.02 * (right - left), low + 0.1 * (high - low)
     bar = axes.plot([x - length, x], [y, y], color="black", linewidth=2, solid_capstyle="butt", zorder=8)
     label = axes.text(x - 0.5 * length, y, f"{length} $d_p$", ha="center", va="bottom", fontsize=7, zorder=8)
