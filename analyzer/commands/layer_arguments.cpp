@@ -31,7 +31,7 @@ Config load_config(const LayerArguments& arguments) {
     std::vector<std::string> settings = arguments.settings;
     const std::vector<FrameSetting> frame = frame_settings(arguments.frame);
     for (const FrameSetting& setting : frame) settings.push_back(setting.key + "=" + setting.value);
-    const Config config =
+    Config config =
         arguments.config.empty() ? Config::parse("{}", "", settings) : Config::load(arguments.config, settings);
     for (const FrameSetting& setting : frame) config.set_option(setting.key, setting.option);
     return config;
@@ -75,7 +75,7 @@ AnalysisConfig config_of_last(const LayerArguments& arguments, const Recording& 
         if (is_empty(source, config)) continue;
         wrap_along_x(source);
         complete_frame(source);
-        const AnalysisConfig resolved = read_analysis_config(config, source.info);
+        AnalysisConfig resolved = read_analysis_config(config, source.info);
         check_region(config, prepared_from(std::move(source), resolved), arguments);
         return resolved;
     }

@@ -130,8 +130,8 @@ std::optional<std::string> foreign_kind(const Content& content) {
         if (text.starts_with(kind.beginning)) return fmt::format("this is {}", kind.what);
     }
     if (has_item(text, "<Xdmf")) return fmt::format("this is an XDMF head, which is not read; {}", export_it);
-    if (const auto kind = dump_kind(text)) return kind;
-    if (const auto kind = field_kind(text)) return kind;
+    if (auto kind = dump_kind(text)) return kind;
+    if (auto kind = field_kind(text)) return kind;
     if (has_returns_alone(head)) {
         return "this is text whose lines end with carriage returns alone, which is not read; save it with the line "
                "ends "

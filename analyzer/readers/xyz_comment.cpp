@@ -48,12 +48,12 @@ std::string take_value(std::string_view& text) {
     std::size_t end = 0;
     if (!text.empty() && closing_of(text[0]) != 0) {
         end = end_of_enclosed(text);
-        const std::string value(text.substr(1, end - 1));
+        std::string value(text.substr(1, end - 1));
         text.remove_prefix(std::min(end + 1, text.size()));
         return value;
     }
     while (end < text.size() && !is_blank(text[end])) ++end;
-    const std::string value(text.substr(0, end));
+    std::string value(text.substr(0, end));
     text.remove_prefix(end);
     return value;
 }
