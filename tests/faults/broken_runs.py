@@ -118,7 +118,9 @@ class Runs:
 
 
 def is_one_sentence(text):
-    return text.startswith("recoat-solve: error: ") and len(text.strip().splitlines()) == 1
+    """Notes, such as that the disk is small for the output, may come before the one sentence of the error."""
+    lines = [line for line in text.strip().splitlines() if not line.startswith("Note: ")]
+    return len(lines) == 1 and lines[0].startswith("recoat-solve: error: ")
 
 
 def flip(file, bit):
