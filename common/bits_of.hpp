@@ -7,7 +7,7 @@
 
 namespace recoat {
 
-/// The bits of a number, or of each number of a pack, and back. Packs bring their own (solver/execution/pack.hpp).
+/// The bits of a number, or of each number of a pack, and back. Packs bring their own (solver/execution/simd_rows.hpp).
 template <class T>
 struct BitsOf;
 
