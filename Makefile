@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench bench-against bench-instructions bench-reproduce static portable bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification
+.PHONY: setup programs build reproduce test lint bench bench-against bench-instructions bench-reproduce static portable bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification test-slurm
 
 setup:
 	@./setup.sh
@@ -22,6 +22,11 @@ reproduce: programs
 
 test: build
 	@ctest --preset $(PRESET) --label-exclude slow --parallel $(CORES) && pytest -q -m "not slow" tests && tests/lint.sh
+
+# A small grid on a SLURM cluster that the test starts on this machine and stops again (docs/workflow.md).
+test-slurm: portable
+	@RECOAT_SLURM=1 ./setup.sh
+	@pytest -q tests/workflow/test_on_slurm.py
 
 # Runs every verification case and writes the measured errors into docs/verification.md.
 verification: build

@@ -25,6 +25,10 @@ fi
 if [ -n "${RECOAT_PEERS:-}" ]; then
     packages+=(liggghts valgrind)
 fi
+# Only for `make test-slurm`.
+if [ -n "${RECOAT_SLURM:-}" ]; then
+    packages+=(slurm-wlm munge)
+fi
 
 installed() { dpkg-query -W -f '${db:Status-Status} ${Package}\n' "$@" 2>/dev/null | sed -n 's/^installed //p'; }
 

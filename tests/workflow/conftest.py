@@ -23,19 +23,30 @@ class Workflow:
             shutil.copytree(ROOT / name, folder / name)
 
     def __call__(self, *options, build=None):
-        """Run Snakemake; the finished process with its output as text."""
+        """Run Snakemake; its exit code with its output as text."""
         settings = ["--config", f"build_directory={build}"] if build else []
-        environment = {**os.environ, "PATH": f"{Path(sys.executable).parent}:{os.environ['PATH']}"}
-        command = [sys.executable, "-m", "snakemake", "--cores", "2", *options, *settings]
-        process = subprocess.run(
-            command, cwd=self.folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+        process = self.start(*options, *settings, environment=os.environ)
+        output, _ = process.communicate()
+        return process.returncode, output
+
+    def start(self, *options, environment, output=subprocess.PIPE):
+        """Start Snakemake and do not wait for it."""
+        environment = {**environment, "PATH": f"{Path(sys.executable).parent}:{environment['PATH']}"}
+        command = [sys.executable, "-m", "snakemake", "--cores", "2", *options]
+        return subprocess.Popen(
+            command, cwd=self.folder, env=environment, stdout=output, stderr=subprocess.STDOUT, text=True
         )
-        return process.returncode, process.stdout
 
 
 @pytest.fixture
 def workflow(tmp_path):
     return Workflow(tmp_path)
+
+
+@pytest.fixture(scope="session")
+def new_workflow(tmp_path_factory):
+    """Makes further copies of the workflow, which outlive a test."""
+    return lambda: Workflow(tmp_path_factory.mktemp("workflow"))
 
 
 @pytest.fixture(scope="session")
