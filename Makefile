@@ -6,7 +6,7 @@ export RECOAT_BUILD ?= $(CURDIR)/build/$(PRESET)
 CONFIGURE = cmake --preset $(PRESET) --log-level=WARNING
 COMPILE = cmake --build --preset $(PRESET) --parallel $(CORES)
 
-.PHONY: setup programs build reproduce test lint bench bench-against bench-instructions bench-reproduce static portable bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification test-slurm
+.PHONY: setup programs build reproduce test lint bench bench-against bench-instructions bench-reproduce static portable bench-analyzer bench-accuracy stress fuzz sanitize clean faults verification test-slurm cross-code
 
 setup:
 	@./setup.sh
@@ -107,3 +107,9 @@ bench-analyzer: build
 bench-accuracy: build
 	@snakemake --snakefile bench/accuracy/Snakefile --cores $(CORES) --rerun-triggers mtime --quiet rules
 	@echo "Numbers and figures:" && ls bench/results/accuracy*
+
+# The same beds and layers by recoat and by LAMMPS: table of docs/verification.md; goes on where it was stopped.
+cross-code: programs
+	@.venv/bin/python -m venv build/peers && build/peers/bin/pip install --quiet -r bench/peers/requirements.txt
+	@LAMMPS=$(CURDIR)/build/peers/bin/lmp nice -n 15 snakemake --snakefile bench/cross_code/Snakefile --cores $(CORES) \
+	    --rerun-triggers mtime --quiet rules
