@@ -53,7 +53,7 @@ public:
         if (halt != Halt::deep && halt != Halt::fast) return;
         rewind(s_.step);
         // The step that failed may have begun with a new list.
-        if (control().stale()) lists_.refresh(space_, s_, anchors_);
+        if (control().stale()) lists_.renew(space_, s_, anchors_);
         throw fault_of(snapshot(), setup_, halt);
     }
 
@@ -105,7 +105,7 @@ private:
     Halt run_until(std::int64_t target) {
         while (s_.step < target) {
             if (s_.step - kept_.step >= limits::steps_per_copy) keep();
-            if (control().stale()) lists_.refresh(space_, s_, anchors_);
+            if (control().stale()) lists_.renew(space_, s_, anchors_);
             StepControl c = control();
             c.target = std::min({target, kept_.step + limits::steps_per_copy, lists_.next_look(s_)});
             run(c);
@@ -127,7 +127,7 @@ private:
 
     void run_tiles(StepControl& control) {
         const StepEnd end = passes_.end({&control, anchors_.data()});
-        tiles_->begin(s_);
+        tiles_->begin(s_, lists_.made());
         while (control.halt == Halt::none) {
             tiles_->step(control);
             end();

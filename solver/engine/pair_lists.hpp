@@ -7,6 +7,7 @@
 #include "solver/engine/particle_loops.hpp"
 #include "solver/engine/sleep.hpp"
 #include "solver/engine/spatial_sort.hpp"
+#include "solver/engine/spread_of_ways.hpp"
 
 namespace recoat {
 
@@ -21,9 +22,20 @@ public:
     /// `smallest`: radius of the smallest particle [m].
     PairLists(const EngineSetup& setup, double smallest) : setup_(setup), domain_(setup), sleep_(setup, smallest) {}
 
+    /// To be called when the close list may have gone stale by the bound of the ways: makes it anew if by the ways
+    /// themselves it has, or soon will. Throws as refresh().
+    void renew(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls) {
+        const SpreadOfWays ways = ways_since_listed(space, s);
+        s.travelled = 0.5 * ways.widest();
+        const bool good = 0.5 * s.margin - s.travelled > (least_steps + 2) * s.last_travel;
+        // Who has gone that far, though all together, may have left the domain: see sort().
+        if (!good || ways.farthest() > skin()) refresh(space, s, walls);
+    }
+
     /// Makes the close list of what moves anew, and all else where the far list has gone stale or `sort` says so.
     /// Throws SimulationFault when a particle has left the domain.
     void refresh(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls, bool sort = false) {
+        ++made_;
         s.totals.add(space, s.contacts, s.lost_rolling);
         clear_counters(space, s.contacts, s.lost_rolling);
         const double speed = std::max(s.last_travel, s.walls.fastest() * setup_.time_step);
@@ -44,9 +56,12 @@ public:
         space.fill(s.lost_rolling, s.awake, 0.0);
         // A processor adds contacts up while it goes through them.
         if constexpr (!Space::on_host) complete_list(space, s.contacts, setup_.model, s.awake, n);
-        s.travelled = 0;
+        take_places(space, s);
         if (sleep_.disturbed(space, s)) refresh(space, s, walls, true);
     }
+
+    /// Changes whenever lists, order of the particles or who sleeps do.
+    [[nodiscard]] std::int64_t made() const { return made_; }
 
     /// Step at which to look who has come to rest or has been disturbed, the next after this.
     [[nodiscard]] std::int64_t next_look(const SnapshotOf<Space>& s) const { return sleep_.next_look(s); }
@@ -56,9 +71,9 @@ public:
         if (sleep_.look_is_due(s) && sleep_.look(space, s)) refresh(space, s, walls, true);
     }
 
-    /// To be called when a wall begins to move otherwise.
+    /// To be called when a wall begins to move otherwise: wakes whom it is near.
     void wall_driven(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls) {
-        if (s.awake < s.particles.size()) refresh(space, s, walls, true);
+        refresh(space, s, walls, s.awake < s.particles.size());
     }
 
     /// To be called when a wall has gone: wakes everybody.
@@ -69,6 +84,7 @@ public:
 
     /// Fills in what a saved snapshot leaves out.
     void restore(Space& space, SnapshotOf<Space>& s) {
+        ++made_;
         const std::size_t n = s.particles.size(), count = s.walls.now().size();
         far_.build(space, s.far_reference, s.awake, skin(), setup_.y_min, setup_.y_period);
         list_offsets(space, s.contacts, 0, s.awake, count);
@@ -77,13 +93,41 @@ public:
     }
 
 private:
+    static constexpr double least_steps = 3;  ///< for which a list that is nearly stale is kept
+
     [[nodiscard]] double range() const { return setup_.model.hamaker > 0 ? setup_.model.cut_off : 0; }
     [[nodiscard]] double skin() const { return range() + setup_.skins.far * setup_.diameter; }
 
     bool far_is_stale(Space& space, const SnapshotOf<Space>& s) const {
         if (s.far_reference.empty() || sleep_.wall_is_near(s)) return true;
-        const double moved = largest_displacement(space, s.particles.position.data(), s.far_reference.data(), s.awake);
-        return range() + s.margin + 2 * moved > skin();
+        const SpreadOfWays ways = ways_since(space, s, s.far_reference);
+        return range() + s.margin + ways.widest() > skin() || ways.farthest() > skin();
+    }
+
+    /// Of the particles, from their places then.
+    SpreadOfWays ways_since(Space& space, const SnapshotOf<Space>& s, const Array<Row>& then) const {
+        SpreadOfWays ways = spread_of_ways(space, s.particles.position.data(), then.data(), s.awake);
+        if (s.awake < s.particles.size()) ways.include({});
+        return ways;
+    }
+
+    /// Of all that the close list is about, since it was made.
+    SpreadOfWays ways_since_listed(Space& space, const SnapshotOf<Space>& s) const {
+        SpreadOfWays ways = ways_since(space, s, s.close_reference);
+        const double time = static_cast<double>(s.step - s.listed_at) * setup_.time_step;
+        for (const Wall& wall : s.walls.now())
+            if (wall.active) ways.include(time * wall.velocity);
+        return ways;
+    }
+
+    /// From where ways_since_listed() counts.
+    void take_places(Space& space, SnapshotOf<Space>& s) const {
+        s.listed_at = s.step;
+        s.travelled = 0;
+        s.close_reference.resize(s.awake);
+        const Row* position = s.particles.position.data();
+        Row* reference = s.close_reference.data();
+        space.for_each(s.awake, [=] RECOAT_LAMBDA(std::size_t i) { reference[i] = position[i]; });
     }
 
     void sort(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls) {
@@ -123,6 +167,7 @@ private:
     SpatialSort<Space> sort_;
     Sleep<Space> sleep_;
     ContactHistory<Space> history_;
+    std::int64_t made_ = 0;
 };
 
 }  // namespace recoat

@@ -21,14 +21,6 @@ double largest_norm(Space& space, const Row* rows, std::size_t n) {
     return none > 0 ? std::sqrt(none) : 0;
 }
 
-/// Largest distance between rows of the same place.
-template <class Space>
-double largest_displacement(Space& space, const Row* now, const Row* before, std::size_t n) {
-    const double square =
-        space.maximum(n, [=] RECOAT_LAMBDA(std::size_t i) { return squared_norm(now[i].xyz() - before[i].xyz()); });
-    return square > 0 ? std::sqrt(square) : 0;
-}
-
 template <class Space>
 bool all_inside(Space& space, const Row* position, std::size_t n, const DomainCheck& domain) {
     return !(space.maximum(

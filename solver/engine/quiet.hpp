@@ -53,7 +53,9 @@ double count_quiet(Space& space, const SnapshotOf<Space>& s, const Quiet& quiet)
     return space.sum(s.awake, [=] RECOAT_LAMBDA(std::size_t i) { return quiet(i) ? 1.0 : 0.0; });
 }
 
-/// Whether a particle that is awake and not quiet has a sleeper in its close list.
+/// Whether what moves has come to within two contacts of a sleeper: one of a pair of the close list of the particle is
+/// not quiet, and one of it has a sleeper there, or is one. A push takes its time to pass on to the next particle, so
+/// that sleepers that are woken now have not felt it.
 struct DisturbedGuard {
     Quiet quiet;
     const std::int32_t *offsets, *second;
@@ -67,8 +69,19 @@ struct DisturbedGuard {
           awake(static_cast<std::int32_t>(s.awake)) {}
 
     RECOAT_HD bool operator()(std::size_t i) const {
-        if (i >= static_cast<std::size_t>(awake) || quiet(i)) return false;
-        // Partners ascend, and sleepers come last.
+        if (i >= static_cast<std::size_t>(awake)) return false;
+        const bool moves = !quiet(i), beside = beside_sleeper(i);
+        if (moves && beside) return true;
+        for (std::int32_t k = offsets[i]; k < offsets[i + 1] && second[k] < awake; ++k) {
+            const auto j = static_cast<std::size_t>(second[k]);
+            if ((moves && beside_sleeper(j)) || (beside && !quiet(j))) return true;
+        }
+        return false;
+    }
+
+private:
+    /// Partners ascend, and sleepers come last.
+    RECOAT_HD bool beside_sleeper(std::size_t i) const {
         const std::int32_t end = offsets[i + 1];
         return end > offsets[i] && second[end - 1] >= awake;
     }

@@ -33,8 +33,8 @@ struct MovingWallSearch {
     }
 };
 
-/// For every pair of the far list of the first `count` particles of which one is marked in `from`: marks the other in
-/// `to`.
+/// For every pair of the far list of which one is marked in `from`: marks the other in `to`. Marked are only some of
+/// the first `count` particles.
 template <class Space>
 void mark_neighbours(Space& space, const FarList<Space>& far, std::size_t count, const std::int32_t* from,
                      std::int32_t* to) {
@@ -48,7 +48,8 @@ void mark_neighbours(Space& space, const FarList<Space>& far, std::size_t count,
     });
 }
 
-/// Chooses who sleeps: quiet particles that have only quiet ones in their far list, and no moving wall near.
+/// Chooses who sleeps: quiet particles that have only quiet ones in their far list, as have all of these, and no moving
+/// wall near.
 template <class Space>
 class SleepChoice {
 public:
@@ -70,7 +71,10 @@ public:
             moving[i] = quiet(i) ? 0 : 1;
             kept[i] = moving[i] != 0 || walls.near(position[i]) ? 1 : 0;
         });
+        // Two layers of guards between what moves and what sleeps.
         mark_neighbours(space, far, s.awake, moving, kept);
+        space.copy(kept_, asleep_);
+        mark_neighbours(space, far, n, asleep, kept);
         if (s.awake < n) wake_layers(space, s, far, quiet);
         space.for_each(n, [=] RECOAT_LAMBDA(std::size_t i) { asleep[i] = 1 - kept[i]; });
         return static_cast<std::size_t>(

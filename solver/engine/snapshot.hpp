@@ -27,12 +27,14 @@ struct SnapshotOf {
     ContactArrays<Space> dormant;   ///< of sleepers with each other and with walls, as they were
     Array<Row> rest;                ///< places near which particles have stayed [m], and since which step
     Array<Row> far_reference;       ///< positions when the far list was made
+    Array<Row> close_reference;     ///< [awake] the same for the close list
     Array<double> lost_rolling;     ///< [awake] energy taken by rolling resistance since the list was made [J]
     Totals totals;
     std::int64_t sorted_at = 0;  ///< step in which the far list was made and who sleeps was chosen
     std::int64_t calm = 0;       ///< awake particles that were quiet then
     double margin = 0;           ///< the close list holds until particles have come closer by this [m]
-    double travelled = 0;        ///< bound of any particle's or wall's way since then [m]
+    std::int64_t listed_at = 0;  ///< step in which it was made
+    double travelled = 0;        ///< half of a bound of how much any two have come closer since then [m]
     double last_travel = 0;      ///< the same for the last step [m]
     double largest_overlap = 0;  ///< [m]
 
@@ -44,6 +46,7 @@ struct SnapshotOf {
         dormant.each_saved(other.dormant, f);
         f(rest, other.rest);
         f(far_reference, other.far_reference);
+        f(close_reference, other.close_reference);
         f(lost_rolling, other.lost_rolling);
     }
 };
@@ -69,6 +72,7 @@ void copy_snapshot(SnapshotOf<From>& from, SnapshotOf<To>& to, const Copy& copy)
     to.calm = from.calm;
     to.totals = from.totals;
     to.margin = from.margin;
+    to.listed_at = from.listed_at;
     to.travelled = from.travelled;
     to.last_travel = from.last_travel;
     to.largest_overlap = from.largest_overlap;

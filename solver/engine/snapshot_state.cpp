@@ -36,6 +36,7 @@ void describe(Archive& archive, Self& s) {
     archive.rows("particles/rest", s.rest);
     archive.size("particles/awake", s.awake);
     archive.rows("lists/far_reference", s.far_reference);
+    archive.rows("lists/close_reference", s.close_reference);
     archive.reals("lists/lost_rolling", s.lost_rolling);
     describe_contacts(archive, "contacts", s.contacts);
     describe_contacts(archive, "dormant", s.dormant);
@@ -47,6 +48,7 @@ void describe(Archive& archive, Self& s) {
     archive.integer("lists/sorted_at", s.sorted_at);
     archive.integer("lists/calm", s.calm);
     archive.real("lists/margin", s.margin);
+    archive.integer("lists/listed_at", s.listed_at);
     archive.real("lists/travelled", s.travelled);
     archive.real("lists/last_travel", s.last_travel);
     archive.real("largest_overlap", s.largest_overlap);

@@ -25,8 +25,8 @@ struct StepControl {
     std::int64_t step = 0, target = 0;
     std::size_t awake = 0;       ///< particles that move: the first ones
     double margin = 0;           ///< the close list holds until particles have come closer by this [m]
-    double travelled = 0;        ///< bound of any particle's or wall's way since it was made [m]
-    double last_travel = 0;      ///< the same for the last step [m]
+    double travelled = 0;        ///< half of a bound of how much any two have come closer since it was made [m]
+    double last_travel = 0;      ///< bound of any particle's or wall's way in the last step [m]
     double largest_overlap = 0;  ///< since the start [m]
     double wall_speed = 0;       ///< of the fastest wall [m/s]
     double peak[3] = {};         ///< of this step: overlap [m], squared speed after forces, after attraction [m2/s2]

@@ -19,7 +19,6 @@ struct ContactTile {
 
     const Work& w;
     const Partner& partner;
-    TileTarget target;
 
     RECOAT_HD void operator()(TileRange range, std::size_t near_begin, TileTally& tally) const {
         if (range.begin == range.end) return;
@@ -134,23 +133,26 @@ private:
                 w.law.rolling.relative_torque(partner.lagging_spin(i, j), m.normal, load, inertia, time_step);
             S::rows(t.x, t.y, t.z, T(Real(0)), rolling);
         }
+        std::int32_t buffer[width];
+        if constexpr (!Partner::is_wall) j = whole<width>(w.second_sums, k, end, buffer);
         scatter(i, j, lanes, m, force, torque, attraction, rolling);
     }
 
+    /// To the sums at the places i and j.
     RECOAT_HD void scatter(const std::int32_t* i, const std::int32_t* j, int lanes, const TileMeeting<T>& m,
                            const Row* force, const Row* torque, const Row* attraction, const Row* rolling) const {
-        const TileScatter<Set, Variant> to{target};
+        const TileScatter<Set, Variant> to{w.sums};
         const Row opposite = S::row_of(-1, -1, -1, 1);
         Real ratio[width];
         if constexpr (!Variant::equal && !Partner::is_wall) S::store(ratio, m.second_arm / m.first_arm);
         for (int l = 0; l < lanes; ++l) {
-            double* a = to.first(i[l]);
+            double* a = to.at(i[l]);
             to.add(a, force[l]);
             to.add(a + 4, torque[l]);
             if constexpr (Variant::cohesive) to.add(a + Sum::attraction, attraction[l]);
             if constexpr (Variant::relative_rolling) to.add(a + Sum::rolling, rolling[l]);
             if constexpr (!Partner::is_wall) {
-                double* b = to.second(j[l]);
+                double* b = to.at(j[l]);
                 to.add(b, force[l], opposite);
                 if constexpr (Variant::equal) {
                     to.add(b + 4, torque[l]);

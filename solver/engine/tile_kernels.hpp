@@ -16,21 +16,20 @@ template <class Set, class Variant>
 struct TileLoops {
     using Work = TileWork<Variant>;
 
-    static void contacts(const Work& w, const TileTarget& target, const Wall* wall, TileRange range,
-                         std::size_t near_begin, TileTally& tally) {
+    static void contacts(const Work& w, const Wall* wall, TileRange range, std::size_t near_begin, TileTally& tally) {
         with_partner(w, wall, [&](const auto& partner) {
             using Partner = std::decay_t<decltype(partner)>;
-            ContactTile<Set, Variant, Partner>{w, partner, target}(range, near_begin, tally);
+            ContactTile<Set, Variant, Partner>{w, partner}(range, near_begin, tally);
         });
     }
     static void particles(const Work& w, TileRange range, TileTally& tally) {
         ParticleTile<Set, Variant>(w).advance(range, tally);
     }
-    static void near(const Work& w, const TileTarget& target, const Wall* wall, TileRange range) {
+    static void near(const Work& w, const Wall* wall, TileRange range) {
         if constexpr (Variant::cohesive) {
             with_partner(w, wall, [&](const auto& partner) {
                 using Partner = std::decay_t<decltype(partner)>;
-                const NearTile<Set, Variant, Partner> tile{w, partner, target};
+                const NearTile<Set, Variant, Partner> tile{w, partner};
                 switch (w.impulse.index()) {
                     case 0:
                         return tile(*std::get_if<0>(&w.impulse), range);

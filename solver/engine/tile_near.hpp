@@ -19,7 +19,6 @@ struct NearTile {
 
     const Work& w;
     const Partner& partner;
-    TileTarget target;
 
     template <class Impulse>
     RECOAT_HD void operator()(const Impulse& impulse, TileRange range) const {
@@ -52,12 +51,13 @@ private:
         S::rows(change.x, change.y, change.z, T(Real(0)), rows);
         Real forces[width];
         S::store(forces, force);
-        const TileScatter<Set, Variant> to{target};
+        const TileScatter<Set, Variant> to{w.sums};
         const Row opposite = S::row_of(-1, -1, -1, 1);
         for (int l = 0; l < lanes; ++l) {
             w.last_attraction[contact[l]] = forces[l];
-            to.add(to.first(i[l]) + Sum::attraction, rows[l]);
-            if constexpr (!Partner::is_wall) to.add(to.second(j[l]) + Sum::attraction, rows[l], opposite);
+            to.add(to.at(i[l]) + Sum::attraction, rows[l]);
+            if constexpr (!Partner::is_wall)
+                to.add(to.at(w.second_sums[contact[l]]) + Sum::attraction, rows[l], opposite);
         }
         if constexpr (Partner::is_wall) {
             Real power[width];

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 #include "solver/engine/snapshot.hpp"
@@ -11,18 +12,22 @@ namespace recoat {
 /// A part of the particles that one thread works on at a time.
 struct TilePart {
     TileRange particles;
-    std::size_t beyond = 0;         ///< its pairs reach particles up to here
+    std::size_t beyond = 0;         ///< its pairs reach particles that are awake up to here
     std::size_t first_before = 0;   ///< first part whose pairs reach into this one
-    std::vector<double> sums;       ///< of the particles from particles.end to `beyond`
+    std::span<double> sums;         ///< of the particles from particles.end to `beyond`, then of all sleepers together
     std::vector<std::size_t> near;  ///< [1 + walls] near contacts found in this step
 
     [[nodiscard]] bool any_near() const {
         return std::any_of(near.begin(), near.end(), [](std::size_t count) { return count > 0; });
     }
+    /// Places in its own array of sums.
+    [[nodiscard]] std::size_t places() const { return beyond - particles.end + 1; }
 };
 
 /// How the awake particles of a snapshot are dealt to parts and tiles: by their number alone, so that sums are the same
-/// for any number of threads.
+/// for any number of threads. A part adds up its contacts for its own particles in their places, for those of later
+/// parts in an array of its own, so that no two threads ever add to the same place. Nobody asks for the sums of
+/// sleepers: they come together in one place.
 class TilePlan {
 public:
     static constexpr std::size_t tile = 128;                ///< particles
@@ -39,23 +44,49 @@ public:
             part.particles = {p * n / count, (p + 1) * n / count};
             part.beyond = part.particles.end;
             for (auto k = at(s, part.particles.begin); k < at(s, part.particles.end); ++k)
-                part.beyond = std::max(part.beyond, static_cast<std::size_t>(s.contacts.second[k]) + 1);
-            part.sums.assign(numbers_of_sum * (part.beyond - part.particles.end), 0.0);
+                if (second(s, k) < n) part.beyond = std::max(part.beyond, second(s, k) + 1);
             part.near.assign(1 + walls, 0);
             part.first_before = p;
         }
         for (std::size_t p = count; p-- > 0;)
             for (std::size_t q = p + 1; q < count && parts_[p].beyond > parts_[q].particles.begin; ++q)
                 parts_[q].first_before = p;
+        place_sums(s, numbers_of_sum);
     }
 
     [[nodiscard]] std::vector<TilePart>& parts() { return parts_; }
+    /// Of the awake particles, then of the parts; all 0 when the plan is made.
+    [[nodiscard]] std::vector<double>& sums() { return sums_; }
+    /// [pairs] where the second of each pair is added up.
+    [[nodiscard]] const std::vector<std::int32_t>& second_sums() const { return second_sums_; }
 
 private:
+    void place_sums(const Snapshot& s, std::size_t numbers) {
+        const std::size_t n = s.awake;
+        std::size_t places = n;
+        for (const TilePart& part : parts_) places += part.places();
+        sums_.assign(numbers * places, 0.0);
+        second_sums_.resize(at(s, n));
+        std::size_t own = n;
+        for (TilePart& part : parts_) {
+            part.sums = std::span(sums_).subspan(numbers * own, numbers * part.places());
+            for (auto k = at(s, part.particles.begin); k < at(s, part.particles.end); ++k) {
+                const std::size_t j = second(s, k), later = std::min(j, part.beyond) - part.particles.end;
+                second_sums_[k] = static_cast<std::int32_t>(j < part.particles.end ? j : own + later);
+            }
+            own += part.places();
+        }
+    }
+
     /// Pairs before those of particle i.
     static std::size_t at(const Snapshot& s, std::size_t i) { return static_cast<std::size_t>(s.contacts.offsets[i]); }
+    static std::size_t second(const Snapshot& s, std::size_t k) {
+        return static_cast<std::size_t>(s.contacts.second[k]);
+    }
 
     std::vector<TilePart> parts_;
+    std::vector<double> sums_;
+    std::vector<std::int32_t> second_sums_;
 };
 
 }  // namespace recoat

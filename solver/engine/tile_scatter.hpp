@@ -12,14 +12,9 @@ struct TileScatter {
     using Row = typename S::Row;
     static constexpr int size = SumLayout<Variant>::size;
 
-    const TileTarget& target;
+    double* sums;  ///< as TileWork::sums
 
-    RECOAT_HD double* first(std::int32_t i) const { return target.sums + size * std::size_t(i); }
-    RECOAT_HD double* second(std::int32_t j) const {
-        double* base = j < target.split ? target.sums + size * std::ptrdiff_t(j)
-                                        : target.beyond + size * std::ptrdiff_t(j - target.split);
-        return base;
-    }
+    RECOAT_HD double* at(std::int32_t place) const { return sums + size * std::size_t(place); }
     static RECOAT_HD void add(double* sum, Row row) { S::store(sum, S::add(S::row(sum), row)); }
     static RECOAT_HD void add(double* sum, Row row, Row factor) {
         S::store(sum, S::multiply_add(row, factor, S::row(sum)));

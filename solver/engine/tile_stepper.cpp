@@ -1,13 +1,13 @@
 #include "solver/engine/tile_stepper.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 
 #include <omp.h>
 
 #include "solver/engine/limits.hpp"
 #include "solver/engine/tile_dispatch.hpp"
+#include "solver/engine/tile_memory.hpp"
 #include "solver/engine/tile_plan.hpp"
 #include "solver/engine/tile_sizes.hpp"
 #include "solver/execution/flush_denormals.hpp"
@@ -40,15 +40,17 @@ public:
         work_.own_rolling_constant = by_radius ? 0 : 1;
     }
 
-    void begin(Snapshot& s) override {
+    void begin(Snapshot& s, std::int64_t lists) override {
         snapshot_ = &s;
         walls_ = s.walls.now();
         anchors_ = s.walls.anchors();
+        if (lists == lists_) return;
+        lists_ = lists;
         plan_.make(s, numbers);
-        sums_.assign(numbers * s.particles.size(), 0.0);
         tallies_.resize(plan_.parts().size());
-        lend_particles(s);
-        lend_contacts(s);
+        work_.sums = plan_.sums().data();
+        work_.second_sums = plan_.second_sums().data();
+        memory_.lend(s, work_);
     }
 
     void step(StepControl& control) override {
@@ -76,83 +78,11 @@ public:
     }
 
     void end() override {
-        if constexpr (Variant::single) return_singles(*snapshot_);
+        memory_.give_back(*snapshot_);
         snapshot_ = nullptr;
     }
 
 private:
-    void lend_particles(Snapshot& s) {
-        Particles& p = s.particles;
-        const auto rows = [](std::vector<Row>& array) { return reinterpret_cast<double*>(array.data()); };
-        work_.position = rows(p.position);
-        work_.velocity = rows(p.velocity);
-        work_.spin = rows(p.spin);
-        work_.acceleration = rows(p.acceleration);
-        work_.contact_velocity = rows(p.contact_velocity);
-        work_.contact_spin = rows(p.contact_spin);
-        work_.lost_rolling = s.lost_rolling.data();
-        work_.sums = sums_.data();
-        if constexpr (Variant::single) {
-            motion_.resize(8 * p.size());
-            for (std::size_t i = 0; i < p.size(); ++i) {
-                const Row &v = p.contact_velocity[i], &w = p.contact_spin[i];
-                const double both[8] = {v.x, v.y, v.z, v.w, w.x, w.y, w.z, w.w};
-                for (std::size_t c = 0; c < 8; ++c) motion_[8 * i + c] = static_cast<float>(both[c]);
-            }
-            work_.motion = motion_.data();
-        }
-    }
-
-    void lend_contacts(Snapshot& s) {
-        Contacts& c = s.contacts;
-        work_.first = c.first.data();
-        work_.second = c.second.data();
-        work_.lost_normal = c.lost_normal.data();
-        work_.lost_tangential = c.lost_tangential.data();
-        work_.wall_work = c.wall_work.data();
-        if constexpr (Variant::single) {
-            for (std::size_t a = 0; a < 4; ++a) {
-                const std::vector<double>& from = *history(c)[a];
-                single_[a].assign(from.begin(), from.end());
-            }
-            work_.slip_x = single_[0].data();
-            work_.slip_y = single_[1].data();
-            work_.slip_z = single_[2].data();
-            work_.last_attraction = single_[3].data();
-        } else {
-            work_.slip_x = c.slip_x.data();
-            work_.slip_y = c.slip_y.data();
-            work_.slip_z = c.slip_z.data();
-            work_.last_attraction = c.attraction.data();
-        }
-        if constexpr (Variant::cohesive) {
-            near_contact_.resize(c.size());
-            for (std::vector<Real>& array : near_) array.resize(c.size());
-            work_.near = {near_contact_.data(), near_[0].data(), near_[1].data(), near_[2].data(), near_[3].data()};
-        }
-        if constexpr (Variant::relative_rolling) {
-            count_.assign(s.particles.size(), 0);
-            for (std::size_t k = 0; k < c.size(); ++k) {
-                ++count_[static_cast<std::size_t>(c.first[k])];
-                if (c.second[k] >= 0) ++count_[static_cast<std::size_t>(c.second[k])];
-            }
-            work_.contact_count = count_.data();
-        }
-    }
-
-    static std::array<std::vector<double>*, 4> history(Contacts& c) {
-        return {&c.slip_x, &c.slip_y, &c.slip_z, &c.attraction};
-    }
-
-    void return_singles(Snapshot& s) {
-        for (std::size_t i = 0; i < s.awake; ++i) {
-            const float* v = motion_.data() + 8 * i;
-            s.particles.contact_velocity[i] = {v[0], v[1], v[2], v[3]};
-        }
-        for (std::size_t a = 0; a < 4; ++a)
-            std::copy(single_[a].begin(), single_[a].end(), history(s.contacts)[a]->begin());
-    }
-
     void place_walls(std::int64_t step) {
         for (std::size_t w = 0; w < walls_.size(); ++w) {
             const Vec3 way = anchors_[w].way(step, setup_.time_step);
@@ -206,17 +136,13 @@ private:
         return segment > 0 ? &walls_[segment - 1] : nullptr;
     }
 
-    [[nodiscard]] TileTarget target_of(TilePart& part) {
-        return {sums_.data(), part.sums.data(), static_cast<std::int32_t>(part.particles.end)};
-    }
-
     void touch(std::size_t p, TileRange tile) {
         TilePart& part = plan_.parts()[p];
         for (std::size_t segment = 0; segment <= walls_.size(); ++segment) {
             const TileRange range = contacts_of(segment, tile);
             if (range.begin == range.end) continue;
             const std::size_t near = contacts_of(segment, part.particles).begin + part.near[segment];
-            kernels_.contacts(work_, target_of(part), wall_of(segment), range, near, tallies_[p]);
+            kernels_.contacts(work_, wall_of(segment), range, near, tallies_[p]);
             part.near[segment] += tallies_[p].near;
         }
     }
@@ -234,7 +160,7 @@ private:
             TilePart& other = plan_.parts()[q];
             const std::size_t from = std::max(tile.begin, other.particles.end), to = std::min(tile.end, other.beyond);
             if (from >= to || !has(other)) continue;
-            double* sums = sums_.data() + numbers * from;
+            double* sums = work_.sums + numbers * from;
             double* more = other.sums.data() + numbers * (from - other.particles.end);
             for (std::size_t k = 0; k < numbers * (to - from); ++k) {
                 sums[k] += more[k];
@@ -248,7 +174,7 @@ private:
         for (std::size_t segment = 0; segment <= walls_.size(); ++segment) {
             if (part.near[segment] == 0) continue;
             const std::size_t begin = contacts_of(segment, part.particles).begin;
-            kernels_.near(work_, target_of(part), wall_of(segment), {begin, begin + part.near[segment]});
+            kernels_.near(work_, wall_of(segment), {begin, begin + part.near[segment]});
         }
     }
 
@@ -258,15 +184,12 @@ private:
     double fastest_;  ///< speed beyond which a run stops [m/s]
     TileWork<Variant> work_{};
     Snapshot* snapshot_ = nullptr;
+    std::int64_t lists_ = -1;  ///< for which all below has been made
     std::vector<Wall> walls_;
     std::vector<WallAnchor> anchors_;
     TilePlan plan_;
     std::vector<TileTally> tallies_;
-    std::vector<double> sums_;
-    std::vector<float> motion_;
-    std::array<std::vector<float>, 4> single_;  ///< slip and attraction
-    std::vector<std::int32_t> near_contact_, count_;
-    std::array<std::vector<Real>, 4> near_;
+    TileMemory<Variant> memory_;
 };
 
 template <bool equal, bool cohesive, bool relative>

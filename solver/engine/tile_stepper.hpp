@@ -17,8 +17,9 @@ public:
     virtual ~TileStepper() = default;
 
     /// Prepares for steps from `snapshot`, which stays where it is until `end`. Between the two only step() may change
-    /// it.
-    virtual void begin(Snapshot& snapshot) = 0;
+    /// it. `lists` is a number that changes whenever lists, order of the particles or who sleeps do: as long as it is
+    /// that of the last time, the snapshot is as `end` left it.
+    virtual void begin(Snapshot& snapshot, std::int64_t lists) = 0;
     /// One step; writes the peaks into `control`.
     virtual void step(StepControl& control) = 0;
     /// Brings what has its own place meanwhile back into the snapshot.

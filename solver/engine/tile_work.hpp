@@ -63,18 +63,11 @@ struct TileWork {
     double* lost_rolling;  ///< a tile books at its first place
     double* sums;          ///< SumLayout::size doubles a particle
     const std::int32_t *first, *second;
+    const std::int32_t* second_sums;  ///< [pairs] place of `sums` for the second: TilePlan
     Real *slip_x, *slip_y, *slip_z, *last_attraction;
     double *lost_normal, *lost_tangential, *wall_work;  ///< a stretch of contacts books at its first place
     NearContacts<Real> near;
     const std::int32_t* contact_count;  ///< [N] listed contacts of each particle, for relative rolling
-};
-
-/// Where the contacts of a part of the particles are added up: its own particles in the common array, those of later
-/// parts in an array of its own, so that no two threads ever add to the same place and sums do not depend on threads.
-struct TileTarget {
-    double* sums;
-    double* beyond;  ///< sums of the particles from `split` on
-    std::int32_t split;
 };
 
 /// What a loop found.
@@ -90,12 +83,11 @@ struct TileKernels {
     using Work = TileWork<Variant>;
 
     /// Forces of the contacts of `range`; near contacts are listed from place `range.begin` + tally.near on.
-    void (*contacts)(const Work&, const TileTarget&, const Wall* wall, TileRange range, std::size_t near_begin,
-                     TileTally&);
+    void (*contacts)(const Work&, const Wall* wall, TileRange range, std::size_t near_begin, TileTally&);
     /// Velocities of the particles of `range`, and positions of those without near contacts.
     void (*particles)(const Work&, TileRange range, TileTally&);
     /// Attraction of the listed near contacts.
-    void (*near)(const Work&, const TileTarget&, const Wall* wall, TileRange range);
+    void (*near)(const Work&, const Wall* wall, TileRange range);
     /// Positions of the particles with near contacts.
     void (*finish)(const Work&, TileRange range, TileTally&);
 };

@@ -64,6 +64,26 @@ std::unique_ptr<Engine> engine_of(EngineScene scene, bool sleep, int threads = 1
     return scene.engine();
 }
 
+/// How far a bed that sleeps may be from one that does not after so many steps, by the rule: who falls asleep stands
+/// within the reach of its place, twice that once it has been quiet, and would not have gone on faster than a reach in
+/// the time after which it counts as quiet [d_p].
+double creep(EngineScene scene, std::int64_t steps) {
+    scene.setup.sleep = true;
+    const SleepRule rule = sleep_rule(scene.setup, paper_radius);
+    const double rests = static_cast<double>(steps) / static_cast<double>(rule.rest);
+    return rule.reach * (SleepRule::patience + rests) / dp;
+}
+
+/// How far apart pushes that pass through the bed may bring the two in a time, by the rule: a guard that has not been
+/// seen to move is within twice the reach of its place, and so presses on a sleeper, until the next look, by no more
+/// than the stiffness under the weight times that [d_p].
+double pushes(EngineScene scene, double time) {
+    scene.setup.sleep = true;
+    const SleepRule rule = sleep_rule(scene.setup, paper_radius);
+    const double acceleration = 1.5 * SleepRule::patience * SleepRule::share_of_overlap * paper_gravity;
+    return acceleration * static_cast<double>(rule.look) * scene.setup.time_step * time / dp;
+}
+
 /// Weight of one sphere times its diameter [J].
 const double energy_unit = sphere_mass(paper_radius, 4430) * paper_gravity * dp;
 
@@ -100,16 +120,15 @@ class Sleep : public ::testing::TestWithParam<Variety> {};
 TEST_P(Sleep, ABedThatIsStruckMovesAsWithoutSleep) {
     const EngineScene scene = bed(GetParam(), true);
     const auto sleepy = engine_of(scene, true), sleepless = engine_of(scene, false);
-    const double before = balance(sleepless->ledger());
+    const double before = balance(sleepless->ledger()), strike = 6500 * scene.setup.time_step;
     std::size_t least = scene.particles.size(), most_after_sleep = 0;
     for (int portion = 0; portion < 20; ++portion) {
         sleepy->advance(500);
         sleepless->advance(500);
         if (least < 2) most_after_sleep = std::max(most_after_sleep, awake(*sleepy));
         least = std::min(least, awake(*sleepy));
-        // Who sleeps behind the spheres that are struck wakes some steps late.
-        ASSERT_LT(largest_distance(sleepy->particles(), sleepless->particles()), sleepy->step() < 6500 ? 1e-5 : 5e-4)
-            << sleepy->step();
+        const double bound = creep(scene, sleepy->step()) + pushes(scene, std::max(0.0, sleepy->time() - strike));
+        ASSERT_LT(largest_distance(sleepy->particles(), sleepless->particles()), bound) << sleepy->step();
         const EnergyLedger e = sleepy->ledger(), f = sleepless->ledger();
         EXPECT_NEAR(e.stored(), f.stored(), 1e-2 * energy_unit);
         EXPECT_NEAR(balance(e), before, 2 * std::abs(balance(f) - before) + 1e-3 * energy_unit);
@@ -144,7 +163,7 @@ TEST_P(Sleep, AMovingWallFindsTheBedAwake) {
     const double top = 0.5 * dp + 2 * dp / std::sqrt(2.0);
     scene.walls.push_back(box("bar", {-dp, -infinite, top}, {-0.1 * dp, infinite, infinite}));
     const auto sleepy = engine_of(scene, true), sleepless = engine_of(scene, false);
-    for (const auto& engine : {sleepy.get(), sleepless.get()}) engine->advance(5000);
+    for (const auto& engine : {sleepy.get(), sleepless.get()}) engine->advance(6000);
     EXPECT_LT(awake(*sleepy), scene.particles.size() / 2);
     for (const auto& engine : {sleepy.get(), sleepless.get()}) {
         engine->set_wall_velocity(3, {0.05, 0, 0});
@@ -154,7 +173,10 @@ TEST_P(Sleep, AMovingWallFindsTheBedAwake) {
         }
         engine->advance(3000);
     }
-    EXPECT_LT(largest_distance(sleepy->particles(), sleepless->particles()), 1e-3);
+    // Relative rolling resistance is shared among the contacts that are listed: lists that last otherwise bring as
+    // much.
+    const double bound = GetParam().rolling == RollingForm::relative ? 5e-3 : 1e-3;
+    EXPECT_LT(largest_distance(sleepy->particles(), sleepless->particles()), bound);
     EXPECT_GT(largest_distance(sleepy->particles(), scene.particles), 0.1) << "the bar has moved some";
     EXPECT_NEAR(sleepy->ledger().wall_work, sleepless->ledger().wall_work, 1e-3 * sleepless->ledger().wall_work);
 }
@@ -162,7 +184,7 @@ TEST_P(Sleep, AMovingWallFindsTheBedAwake) {
 TEST_P(Sleep, EverybodyWakesWhenAWallIsRemoved) {
     const EngineScene scene = bed(GetParam(), false);
     const auto sleepy = engine_of(scene, true), sleepless = engine_of(scene, false);
-    for (const auto& engine : {sleepy.get(), sleepless.get()}) engine->advance(5000);
+    for (const auto& engine : {sleepy.get(), sleepless.get()}) engine->advance(6000);
     EXPECT_LT(awake(*sleepy), scene.particles.size() / 2);
     const std::size_t contacts = sleepy->contacts().size();
     EXPECT_NEAR(static_cast<double>(contacts), static_cast<double>(sleepless->contacts().size()), 2);
