@@ -197,8 +197,11 @@ void StageRunner::watch() {
 
 void StageRunner::check_rest(const Segment& segment) {
     if (!segment.rest || progress_.segment_steps % segment.rest->interval != 0) return;
-    const double limit = segment.rest->energy * static_cast<double>(particles_);
-    progress_.checks_at_rest = engine_.kinetic_energy() < limit ? progress_.checks_at_rest + 1 : 0;
+    const std::int64_t stragglers = segment.rest->stragglers.value_or(RestCriterion::stragglers_among(particles_));
+    RestLimit limit{segment.rest->energy * static_cast<double>(particles_), static_cast<std::size_t>(stragglers)};
+    // Who rolls away ahead of the blade leaves the layer as it is.
+    if (scene_.stages[progress_.stage].kind == "spread") limit.front = engine_.walls()[wall_index("blade")].upper.x;
+    progress_.checks_at_rest = engine_.at_rest(limit) ? progress_.checks_at_rest + 1 : 0;
 }
 
 bool StageRunner::must_stop() const {

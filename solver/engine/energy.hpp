@@ -1,5 +1,9 @@
 #pragma once
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
 #include "solver/contact/law.hpp"
 #include "solver/engine/engine.hpp"
 #include "solver/engine/snapshot.hpp"
@@ -40,6 +44,51 @@ KineticEnergy kinetic(Space& space, const ParticleArrays<Space>& p, const Sizes&
     const auto sums = space.reduce(SumOf<TranslationOf<Sizes>>{p.size(), {sizes, position, p.contact_velocity.data()}},
                                    SumOf<RotationOf<Sizes>>{p.size(), {sizes, position, p.contact_spin.data()}});
     return {sums[0], sums[1]};
+}
+
+/// Kinetic energy of particle i, none for those ahead that nobody waits for [J].
+template <class Sizes>
+struct KineticBehind {
+    TranslationOf<Sizes> translation;
+    RotationOf<Sizes> rotation;
+    double front;  ///< as RestLimit::front
+
+    RECOAT_HD double operator()(std::size_t i) const {
+        const bool gone = translation.position[i].x > front && translation.velocity[i].x > 0;
+        return gone ? 0 : translation(i) + rotation(i);
+    }
+};
+
+template <class Space, class Sizes>
+KineticBehind<Sizes> kinetic_behind(const ParticleArrays<Space>& p, const Sizes& sizes, double front) {
+    const Row* position = p.position.data();
+    return {{sizes, position, p.contact_velocity.data()}, {sizes, position, p.contact_spin.data()}, front};
+}
+
+/// Bounds of the energy that a RestLimit is about [J].
+struct RestBounds {
+    double lower = 0, upper = 0;
+};
+
+/// Of the first `awake` particles; the others hold none.
+template <class Space, class Sizes>
+RestBounds rest_bounds(Space& space, const ParticleArrays<Space>& p, std::size_t awake, const Sizes& sizes,
+                       const RestLimit& limit) {
+    const auto energy = kinetic_behind(p, sizes, limit.front);
+    const auto found = space.reduce(SumOf{awake, energy}, MaximumOf{awake, energy});
+    if (limit.stragglers >= awake) return {};
+    return {found[0] - static_cast<double>(limit.stragglers) * std::max(0.0, found[1]), found[0]};
+}
+
+/// The energy itself, added up from the least [J].
+template <class Sizes>
+double energy_without(const Particles& p, std::size_t awake, const Sizes& sizes, const RestLimit& limit) {
+    const auto energy = kinetic_behind(p, sizes, limit.front);
+    std::vector<double> energies(awake);
+    for (std::size_t i = 0; i < awake; ++i) energies[i] = energy(i);
+    std::sort(energies.begin(), energies.end());
+    energies.resize(awake - std::min(limit.stragglers, awake));
+    return std::accumulate(energies.begin(), energies.end(), 0.0);
 }
 
 /// Kinetic and gravitational energy; the latter is 0 for centres in the origin [J].

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <string>
@@ -72,6 +73,14 @@ struct ContactState {
     Vec3 tangential_force;    ///< on first [N]
 };
 
+/// When particles count as at rest: all together, but for those that are left out, have less kinetic energy than this.
+struct RestLimit {
+    double kinetic_energy = 0;   ///< [J]
+    std::size_t stragglers = 0;  ///< so many, those that hold most, are left out, ...
+    double front =
+        std::numeric_limits<double>::infinity();  ///< ... as is who is beyond this x and moves on along x [m]
+};
+
 /// Named flat arrays: everything needed to continue to the bit.
 struct EngineState {
     std::map<std::string, std::vector<double>> reals;
@@ -95,7 +104,8 @@ public:
     [[nodiscard]] virtual ParticleTable particles() const = 0;             ///< in order of identity, y wrapped
     [[nodiscard]] virtual std::vector<ContactState> contacts() const = 0;  ///< ordered by (first, second)
     [[nodiscard]] virtual EnergyLedger ledger() const = 0;
-    [[nodiscard]] virtual double kinetic_energy() const = 0;   ///< translation and rotation [J]
+    [[nodiscard]] virtual double kinetic_energy() const = 0;  ///< translation and rotation [J]
+    [[nodiscard]] virtual bool at_rest(const RestLimit& limit) const = 0;
     [[nodiscard]] virtual double largest_overlap() const = 0;  ///< since the start, in diameters d_p
 
     [[nodiscard]] virtual const std::vector<Wall>& walls() const = 0;

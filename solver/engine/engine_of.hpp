@@ -63,6 +63,12 @@ public:
     [[nodiscard]] double kinetic_energy() const override {
         return kinetic(space_, s_.particles, passes_.sizes()).total();
     }
+    [[nodiscard]] bool at_rest(const RestLimit& limit) const override {
+        const RestBounds bounds = rest_bounds(space_, s_.particles, s_.awake, passes_.sizes(), limit);
+        const double most = limit.kinetic_energy;
+        if (bounds.upper < most || !(bounds.lower < most)) return bounds.upper < most;
+        return energy_without(host_particles(), s_.awake, passes_.sizes(), limit) < most;
+    }
     [[nodiscard]] double largest_overlap() const override { return s_.largest_overlap / setup_.diameter; }
     [[nodiscard]] const std::vector<Wall>& walls() const override { return s_.walls.now(); }
     [[nodiscard]] EngineState save() const override { return saved(snapshot()); }

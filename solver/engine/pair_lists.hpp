@@ -38,9 +38,8 @@ public:
         ++made_;
         s.totals.add(space, s.contacts, s.lost_rolling);
         clear_counters(space, s.contacts, s.lost_rolling);
-        const double speed = std::max(s.last_travel, s.walls.fastest() * setup_.time_step);
-        s.margin = std::clamp(2 * speed * setup_.skins.close_steps, limits::least_margin * setup_.diameter,
-                              limits::most_margin * setup_.diameter);
+        s.margin = std::clamp(approach_of_step(space, s) * setup_.skins.close_steps,
+                              limits::least_margin * setup_.diameter, limits::most_margin * setup_.diameter);
         const std::size_t n = s.particles.size(), had_slept = n - s.awake;
         history_.awake.take(space, s.contacts, 0, s.awake);
         if (sort || far_is_stale(space, s)) {
@@ -118,6 +117,13 @@ private:
         for (const Wall& wall : s.walls.now())
             if (wall.active) ways.include(time * wall.velocity);
         return ways;
+    }
+
+    /// By how much two come closer in a step now, at most [m]: as since the last list, or as the fastest do.
+    double approach_of_step(Space& space, const SnapshotOf<Space>& s) const {
+        const std::int64_t steps = s.step - s.listed_at;
+        if (steps > 0) return ways_since_listed(space, s).widest() / static_cast<double>(steps);
+        return 2 * std::max(s.last_travel, s.walls.fastest() * setup_.time_step);
     }
 
     /// From where ways_since_listed() counts.

@@ -34,7 +34,8 @@ private:
     std::string kind_of(const Config& item) const;
     std::string name_of(const Config& section, const std::string& kind) const;
     std::string wall_of(const Config& section) const;
-    Segment settle(const Config& section, double default_energy, double default_time) const;
+    Segment settle(const Config& section, double default_energy, double default_time,
+                   std::optional<std::int64_t> default_stragglers) const;
     Segment travel(const std::string& wall, Vec3 direction, double distance, double speed) const;
     std::vector<Segment> segments(const std::string& kind, const Config& section);
     std::vector<Segment> fill(const Config& section);
@@ -94,14 +95,25 @@ std::string StageReader::wall_of(const Config& section) const {
                  "there is no wall \"" + name + "\" at this stage; the walls are " + (known.empty() ? "none" : known));
 }
 
+/// How many particles may still move at the end of a stage.
+std::optional<std::int64_t> stragglers(const Config& section, std::optional<std::int64_t> fallback) {
+    constexpr const char* key = "stragglers";
+    if (section.has(key) ? section.is_word(key, "auto") : !fallback) {
+        (void)section.text_or(key, "auto");
+        return {};
+    }
+    return section.integer_or(key, fallback.value_or(0), {.lower = 0, .upper = 1e9});
+}
+
 /// Rest is looked for about every 30th part of the time in which a particle falls its own diameter.
-Segment StageReader::settle(const Config& section, double default_energy, double default_time) const {
+Segment StageReader::settle(const Config& section, double default_energy, double default_time,
+                            std::optional<std::int64_t> default_stragglers) const {
     const double mass = sphere_mass(0.5 * scene_.diameter, scene_.model.density);
     const double energy = section.number_or("settle_energy", default_energy, Range::positive());
     const double time = section.quantity_or("settle_time", Dimension::time, default_time, Range::not_negative());
     const double fall = std::sqrt(2 * scene_.diameter / scene_.reference_gravity);
     const RestCriterion rest{energy * mass * scene_.reference_gravity * scene_.diameter,
-                             std::max<std::int64_t>(1, steps(fall / 30)), 10};
+                             std::max<std::int64_t>(1, steps(fall / 30)), 10, stragglers(section, default_stragglers)};
     return {{}, {}, steps(time), rest};
 }
 
@@ -116,11 +128,11 @@ std::vector<Segment> StageReader::fill(const Config& section) {
     if (!std::holds_alternative<ColumnSource>(scene_.source)) {
         section.fail("", "the particles come from start_from, so there is nothing to fill; remove this stage");
     }
-    return {settle(section, 1e-6, 0.2)};
+    return {settle(section, 1e-6, 0.2, 0)};
 }
 
 std::vector<Segment> StageReader::heap(const Config& section) {
-    Segment segment = settle(section, 1e-4, 0.5);
+    Segment segment = settle(section, 1e-4, 0.5, {});
     if (course_.stands("gate")) segment.removed = {"gate"};
     return {segment};
 }
@@ -144,7 +156,7 @@ void StageReader::refuse_obstacle(const Config& section) const {
 std::vector<Segment> StageReader::spread(const Config& section) {
     SpreadGeometry& geometry = *scene_.spread;
     const double length = section.quantity_or("length", Dimension::length, 500 * scene_.diameter, Range::positive());
-    const Segment rest = settle(section, 1e-4, 0.5);
+    const Segment rest = settle(section, 1e-4, 0.5, {});
     section.finish();  // a misspelt key first
     refuse_obstacle(section);
     std::vector<Segment> result;
@@ -171,7 +183,7 @@ std::vector<Segment> StageReader::segments(const std::string& kind, const Config
     if (kind == "heap") return heap(section);
     if (kind == "spread") return spread(section);
     if (kind == "move") return move(section);
-    if (kind == "settle") return {settle(section, 1e-6, 0.1)};
+    if (kind == "settle") return {settle(section, 1e-6, 0.1, 0)};
     if (kind == "run")
         return {Segment{{}, {}, steps(section.quantity("duration", Dimension::time, Range::positive())), {}}};
     return {Segment{{wall_of(section)}, {}, 0, {}}};

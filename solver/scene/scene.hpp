@@ -68,7 +68,7 @@ struct Scene {
     bool time_step_is_automatic = false;
     ListSkins skins;
     Precision precision = Precision::double_precision;
-    bool sleep = false;  ///< particles at rest are left as they are
+    bool sleep = true;  ///< particles at rest are left as they are
     std::int64_t seed = 1;
     double y_period = 0;  ///< y runs from 0 to it; 0: not periodic [m]
     Vec3 domain_lower, domain_upper;

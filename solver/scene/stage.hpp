@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -9,12 +10,20 @@
 
 namespace recoat {
 
-/// When particles count as settled: at `checks` checks in a row their mean kinetic energy is below `energy`, so that a
-/// heap that is about to collapse is not taken for one at rest.
+/// When particles count as settled: at `checks` checks in a row the mean kinetic energy of all but some stragglers is
+/// below `energy`, so that a heap that is about to collapse is not taken for one at rest, and nobody waits for the last
+/// sphere that rolls.
 struct RestCriterion {
     double energy = 0;          ///< per particle [J]
     std::int64_t interval = 1;  ///< steps between checks
     std::int64_t checks = 10;
+    std::optional<std::int64_t> stragglers;  ///< particles that may still move; none: stragglers_among()
+
+    /// A quarter of the square root of their number: a quarter of what the number of as many independent particles
+    /// scatters by from one placement to the next [docs/accuracy.md].
+    static std::int64_t stragglers_among(std::size_t particles) {
+        return static_cast<std::int64_t>(0.25 * std::sqrt(static_cast<double>(particles)));
+    }
 
     friend bool operator==(const RestCriterion&, const RestCriterion&) = default;
 };

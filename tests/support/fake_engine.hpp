@@ -14,6 +14,7 @@ namespace recoat::testing {
 struct FakeScript {
     std::vector<std::string> log;  ///< "STEP: what"
     std::function<double(std::int64_t step)> kinetic_energy = [](std::int64_t) { return 1.0; };
+    RestLimit rest;  ///< it was last asked about
     std::int64_t fault_at = -1;
     int made = 0, restored = 0;
 };
@@ -72,6 +73,10 @@ public:
         return ledger;
     }
     double kinetic_energy() const override { return script_.kinetic_energy(step_); }
+    bool at_rest(const RestLimit& limit) const override {
+        script_.rest = limit;
+        return kinetic_energy() < limit.kinetic_energy;
+    }
     double largest_overlap() const override { return 0.001; }
     const std::vector<Wall>& walls() const override { return walls_; }
     void set_wall_velocity(std::size_t wall, Vec3 velocity) override {

@@ -90,6 +90,18 @@ TEST_F(Run, EndsAStageWhenItHasBeenAtRestLongEnough) {
     EXPECT_EQ(json["stages"][1]["steps"], 10 * rest.interval);
 }
 
+TEST_F(Run, LeavesOutAsManyStragglersAsTheStageSays) {
+    script_.kinetic_energy = [](std::int64_t) { return 0.0; };
+    for (Stage& stage : scene_.stages) stage.segments.back().rest->stragglers = std::nullopt;
+    run(folder_ / "a");
+    EXPECT_EQ(script_.rest.stragglers, 1u) << "a quarter of the root of 40";
+    for (Stage& stage : scene_.stages) stage.segments.back().rest->stragglers = 3;
+    run(folder_ / "b");
+    EXPECT_EQ(script_.rest.stragglers, 3u);
+    // The blade has gone 20 d_p and is 4 d_p thick.
+    EXPECT_NEAR(script_.rest.front, 24 * scene_.diameter, 1e-9);
+}
+
 TEST_F(Run, WritesTrajectoryAndEnergySeriesAtTheirIntervals) {
     run(folder_ / "a");
     EXPECT_EQ(count_steps(folder_ / "a/trajectory.vtkhdf"), 6U);

@@ -52,6 +52,8 @@ BAD_SPREAD = [
     (["box", "depth"], "3 dp"),
     (["stages"], []),
     (["stages", 0], {"bake": {}}),
+    (["stages", 2, "spread", "stragglers"], -1),
+    (["stages", 2, "spread", "stragglers"], "few"),
     (["stages", 2, "spread", "length"], "0 dp"),
     (["output", "trajectory"], "1 ms"),
     (["walls"], []),
@@ -102,6 +104,8 @@ def test_both_refuse(solver, validator, file, path, value):
         (["blade", "position"], "-1 dp"),
         (["blade", "height"], 0),
         (["stages", 1], "heap"),
+        (["stages", 2, "spread", "stragglers"], "auto"),
+        (["stages", 2, "spread", "stragglers"], 12),
         (["output"], {}),
     ],
 )

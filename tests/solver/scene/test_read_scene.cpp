@@ -94,6 +94,11 @@ TEST(ReadScene, EngineSetUpIsThatOfTheScene) {
     EXPECT_EQ(setup.resources.threads, 3);
 }
 
+TEST(ReadScene, ParticlesSleepUnlessTheSceneSaysNo) {
+    EXPECT_TRUE(engine_setup(scene_of(spread_text), {}).sleep);
+    EXPECT_FALSE(engine_setup(scene_of(spread_text, {"sleep=false"}), {}).sleep);
+}
+
 TEST(ReadScene, SkinsOfThePairListsReachTheEngine) {
     EXPECT_EQ(engine_setup(scene_of(spread_text), {}).skins, ListSkins{});
     const Scene scene = scene_of(spread_text, {"pair_lists.skin=10 um", "pair_lists.close_steps=250"});

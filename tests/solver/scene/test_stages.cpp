@@ -54,6 +54,23 @@ TEST(Stages, WhatSettlesByDefault) {
     EXPECT_NEAR(static_cast<double>(10 * fill.rest->interval) * dt, 3.193e-3 / 3, 1e-6);
 }
 
+// For the last few spheres that roll nobody waits, unless the scene says so; a bed has to be at rest.
+TEST(Stages, StragglersMayStillMove) {
+    const Scene usual = scene_of(with_stages("  - fill\n  - heap\n  - spread: {length: 10 dp}\n  - settle\n"));
+    EXPECT_EQ(usual.stages.at(0).segments.at(0).rest->stragglers, 0);
+    EXPECT_EQ(usual.stages.at(1).segments.at(0).rest->stragglers, std::nullopt);
+    EXPECT_EQ(usual.stages.at(2).segments.at(2).rest->stragglers, std::nullopt);
+    EXPECT_EQ(usual.stages.at(3).segments.at(0).rest->stragglers, 0);
+    const Scene other = scene_of(with_stages("  - fill: {stragglers: auto}\n  - heap: {stragglers: 12}\n"));
+    EXPECT_EQ(other.stages.at(0).segments.at(0).rest->stragglers, std::nullopt);
+    EXPECT_EQ(other.stages.at(1).segments.at(0).rest->stragglers, 12);
+    EXPECT_THAT(refusal("  - fill: {stragglers: -1}\n"), HasSubstr("stragglers"));
+    EXPECT_THAT(refusal("  - fill: {stragglers: few}\n"), HasSubstr("stragglers"));
+    EXPECT_EQ(RestCriterion::stragglers_among(15), 0);
+    EXPECT_EQ(RestCriterion::stragglers_among(800), 7);
+    EXPECT_EQ(RestCriterion::stragglers_among(100000), 79);
+}
+
 TEST(Stages, HeapTakesTheGateAway) {
     const Stage heap = scene_of(spread_text).stages.at(1);
     EXPECT_THAT(heap.segments.at(0).removed, ElementsAre("gate"));
