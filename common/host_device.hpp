@@ -11,8 +11,11 @@
 #endif
 #if defined(__CUDA_ARCH__)
 #define RECOAT_UNROLL _Pragma("unroll")
+#define RECOAT_UNROLL_ALL _Pragma("unroll")
 #elif defined(__CUDACC__)
 #define RECOAT_UNROLL
+#define RECOAT_UNROLL_ALL
 #else
 #define RECOAT_UNROLL _Pragma("GCC unroll 8")
+#define RECOAT_UNROLL_ALL _Pragma("GCC unroll 16")
 #endif

@@ -10,6 +10,9 @@ namespace recoat {
 RECOAT_HD double select(bool condition, double a, double b) { return condition ? a : b; }
 RECOAT_HD float select(bool condition, float a, float b) { return condition ? a : b; }
 
+/// Whether a condition holds for any number of a pack.
+RECOAT_HD bool any(bool condition) { return condition; }
+
 /// The smaller and the larger of two numbers. Packs have instructions for that (solver/execution/simd_rows.hpp).
 template <class T>
 struct Order {

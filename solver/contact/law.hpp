@@ -42,7 +42,7 @@ struct ContactLaw {
     /// before on entry and of half a step after on return, so that the sliding velocity of this instant counts on both
     /// sides: the sum is the trapezoidal rule, and a contact that began somewhere in the last step has slid for half.
     ///
-    /// It is done in four parts, each a short chain of roots, so that a processor's loop over each of them in turn has
+    /// It is done in parts, each a short chain of roots, so that a processor's loop over each of them in turn has
     /// several contacts under way at a time.
     template <class T, class C>
     RECOAT_HD ContactResultOf<T> operator()(const KinematicsOf<T>& k, const C& c, T attraction, T time_step,
@@ -50,27 +50,31 @@ struct ContactLaw {
         const Push<T> push = this->push(k.separation, k.closing_rate, attraction, c);
         displacement = slid(displacement, k.normal, k.sliding_velocity, k.separation, time_step);
         const auto pull = this->pull(displacement, push.load, k.sliding_velocity, c);
-        return result(push, mindlin.borne(pull), k.normal, k.closing_rate, k.separation, k.sliding_velocity, time_step,
-                      displacement);
+        const Vec3Of<T> tangential = mindlin.borne(pull.sum, pull.limit);
+        displacement += slid_after(k.sliding_velocity, k.separation, time_step);
+        return {force(tangential, push.repulsion, k.normal), tangential, push.load.force, push.power,
+                friction_power(tangential, k.sliding_velocity)};
     }
 
     /// Along the normal.
     template <class T>
     struct Push {
-        T elastic, viscous;    ///< [N]
+        T repulsion;           ///< elastic and viscous [N]
+        T power;               ///< dissipated [W]
         FrictionLoad<T> load;  ///< what friction sees of it
     };
 
     template <class T, class C>
     RECOAT_HD Push<T> push(T separation, T closing_rate, T attraction, const C& c) const {
         const T overlap = larger(-separation, T(0));
-        const T inverse = inverse_root(overlap);
+        const T inverse_quarter = inverse_fourth_root(overlap);
+        const T inverse = inverse_quarter * inverse_quarter;
         const T root = overlap * inverse;
-        const T quarter = root * inverse_root(root);
+        const T quarter = root * inverse_quarter;
         const T elastic = hertz.elastic(overlap, root, c);
         const T viscous = hertz.viscous(elastic, quarter, closing_rate, c);
         return {
-            elastic, viscous,
+            elastic + viscous, -(viscous * closing_rate),
             friction_load(FrictionLoad<T>{elastic, overlap, quarter, inverse * inverse}, attraction, separation, c)};
     }
 
@@ -80,6 +84,11 @@ struct ContactLaw {
                              T time_step) const {
         return kept(separation) * mindlin.advance(displacement, normal, sliding_velocity, T(0.5) * time_step);
     }
+    /// What it gains in the rest of the step.
+    template <class T>
+    RECOAT_HD Vec3Of<T> slid_after(Vec3Of<T> sliding_velocity, T separation, T time_step) const {
+        return (kept(separation) * (T(0.5) * time_step)) * sliding_velocity;
+    }
 
     template <class T, class C>
     RECOAT_HD auto pull(Vec3Of<T>& displacement, const FrictionLoad<T>& load, Vec3Of<T> sliding_velocity,
@@ -88,18 +97,15 @@ struct ContactLaw {
                             T(c.tangential_damping * load.quarter), sliding_velocity);
     }
 
+    /// Repulsion and friction on the first partner [N].
     template <class T>
-    RECOAT_HD ContactResultOf<T> result(const Push<T>& push, Vec3Of<T> tangential, Vec3Of<T> normal, T closing_rate,
-                                        T separation, Vec3Of<T> sliding_velocity, T time_step,
-                                        Vec3Of<T>& displacement) const {
-        displacement += (T(0.5) * kept(separation) * time_step) * sliding_velocity;
-        ContactResultOf<T> result;
-        result.tangential = tangential;
-        result.force = tangential - (push.elastic + push.viscous) * normal;
-        result.friction_load = push.load.force;
-        result.normal_power = -(push.viscous * closing_rate);
-        result.tangential_power = -dot(tangential, sliding_velocity);
-        return result;
+    RECOAT_HD Vec3Of<T> force(Vec3Of<T> tangential, T repulsion, Vec3Of<T> normal) const {
+        return tangential - repulsion * normal;
+    }
+    /// Taken by friction from the motion [W].
+    template <class T>
+    RECOAT_HD T friction_power(Vec3Of<T> tangential, Vec3Of<T> sliding_velocity) const {
+        return -dot(tangential, sliding_velocity);
     }
 
     /// 1 while a pair keeps its displacement, else 0.

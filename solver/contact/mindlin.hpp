@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <limits>
 
 #include "common/select.hpp"
 #include "solver/contact/kinematics.hpp"
@@ -27,10 +28,11 @@ struct MindlinOf {
     template <class T>
     RECOAT_HD Vec3Of<T> advance(Vec3Of<T> displacement, Vec3Of<T> normal, Vec3Of<T> sliding_velocity,
                                 T time_step) const {
+        using std::sqrt;
         const Vec3Of<T> flat = displacement - dot(displacement, normal) * normal;
         const T before = squared_norm(displacement), after = squared_norm(flat);
-        // sqrt(before/after), by factors that single precision can hold
-        const T stretch = (before * inverse_root(before)) * inverse_root(after);
+        // By the processor's own root and quotient, which work beside the products of the other roots.
+        const T stretch = sqrt(before / larger(after, T(least_square)));
         return select(after > T(least_square), stretch, T(1)) * flat + time_step * sliding_velocity;
     }
 
@@ -59,24 +61,34 @@ struct MindlinOf {
         const T limit = friction * normal_force;
         const T spring = limit * (T(1) - rest * (rest * inverse_root(rest)));
         const T viscous = select(sliding, T(0), dashpot);
-        const Vec3Of<T> sum = -((spring * inverse) * displacement) - viscous * sliding_velocity;
+        const T stiffness = spring * inverse;
+        // The sum is made in its place: g++ moves structs of packs by halves of registers.
+        const Pull<T> pull{{-(stiffness * displacement.x) - viscous * sliding_velocity.x,
+                            -(stiffness * displacement.y) - viscous * sliding_velocity.y,
+                            -(stiffness * displacement.z) - viscous * sliding_velocity.z},
+                           limit};
         displacement = select((normal_force > T(0)) & sliding, longest * inverse, T(1)) * displacement;
-        return {sum, limit};
+        return pull;
     }
 
     /// The part of a pull that friction can bear [N].
     template <class T>
-    RECOAT_HD Vec3Of<T> borne(const Pull<T>& pull) const {
-        const T strength = squared_norm(pull.sum);
-        const auto beyond = (T(cap) > T(0)) & (strength > pull.limit * pull.limit);
-        return select(beyond, pull.limit * inverse_root(strength), T(1)) * pull.sum;
+    RECOAT_HD Vec3Of<T> borne(Vec3Of<T> sum, T limit) const {
+        const T strength = squared_norm(sum);
+        // Where it slides, spring and limit differ by round-off alone.
+        const auto beyond = (T(cap) > T(0)) & (strength > T(Real(1) + 8 * round_off) * (limit * limit));
+        T share = T(1);
+        if (any(beyond)) share = select(beyond, limit * inverse_root(strength), T(1));
+        return {share * sum.x, share * sum.y, share * sum.z};
     }
 
     /// Force on the first partner; as pull() and borne().
     template <class T>
     RECOAT_HD Vec3Of<T> force(Vec3Of<T>& displacement, T normal_force, T overlap, T inverse_overlap, T dashpot,
                               const KinematicsOf<T>& k) const {
-        return borne(pull(displacement, normal_force, overlap, inverse_overlap, dashpot, k.sliding_velocity));
+        const Pull<T> pull =
+            this->pull(displacement, normal_force, overlap, inverse_overlap, dashpot, k.sliding_velocity);
+        return borne(pull.sum, pull.limit);
     }
 
     /// Energy that the spring would give back at constant normal force [J].
@@ -88,6 +100,7 @@ struct MindlinOf {
                ((share < 1 ? share : 1) - 0.4 * (1 - rest * rest * std::sqrt(rest)));
     }
 
+    static constexpr Real round_off = std::numeric_limits<Real>::epsilon();
     /// Square of a displacement that stands for none, far below any that matters and above the least number [m2].
     static constexpr Real least_square = sizeof(Real) == 8 ? 1e-80 : 1e-36;
 };

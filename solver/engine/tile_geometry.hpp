@@ -42,7 +42,7 @@ struct TileMeeting {
     T first_arm, second_arm;
     Vec3Of<T> velocity;  ///< of the first relative to the second
     Vec3Of<T> arm_spin;
-    T spin_change;  ///< see ParticleTile: bound of what both velocities changed by in the last step [m/s]
+    T velocity_change;  ///< see ParticleTile: bound of what both velocities changed by in the last step [m/s]
 };
 
 /// Loads pairs.
@@ -61,19 +61,20 @@ struct PairTile {
 
     RECOAT_HD void operator()(const std::int32_t* i, const std::int32_t* j, TileMeeting<T>& m) const {
         distances(i, j, m);
-        const T half = T(0.5) * m.distance;
-        if constexpr (Variant::equal) {
-            m.first_arm = m.second_arm = w.radius_arm ? m.first_radius : half;
+        const T r = m.first_radius, q = m.second_radius;
+        // No choice between packs by `?:`, which would tie them to memory.
+        if (w.radius_arm) {
+            m.first_arm = r;
+            m.second_arm = q;
         } else {
-            const T r = m.first_radius, q = m.second_radius;
-            const T common = half + (r - q) * (r + q) / (T(2) * m.distance);
-            m.first_arm = w.radius_arm ? r : common;
-            m.second_arm = w.radius_arm ? q : m.distance - common;
+            m.first_arm = T(0.5) * m.distance;
+            if constexpr (!Variant::equal) m.first_arm += (r - q) * (r + q) / (T(2) * m.distance);
+            m.second_arm = m.distance - m.first_arm;
         }
         motions(i, j, m);
     }
-    RECOAT_HD decltype(auto) coefficients(const TileMeeting<T>& m) const {
-        return w.sizes.of_pair(m.first_radius, m.second_radius);
+    RECOAT_HD decltype(auto) coefficients(const T& first_radius, const T& second_radius) const {
+        return w.sizes.of_pair(first_radius, second_radius);
     }
     /// Rate at which the velocities of the arrays close.
     RECOAT_HD T closing_rate(const double* velocity, const std::int32_t* i, const std::int32_t* j,
@@ -100,11 +101,10 @@ struct PairTile {
     RECOAT_HD Vec3Of<T> lagging_spin(const std::int32_t* i, const std::int32_t* j) const {
         return rows_of(w.spin, i, j, [](Row a, Row b) { return S::subtract(a, b); });
     }
-    RECOAT_HD T rolling_inertia(const TileMeeting<T>& m) const {
+    RECOAT_HD T rolling_inertia(const T& r, const T& q) const {
         if constexpr (Variant::equal) {
             return T(typename Variant::Real(0.5 * w.sizes.inertia));
         } else {
-            const T r = m.first_radius, q = m.second_radius;
             const T a = T(0.4) * w.sizes.mass_of(r) * r * r, b = T(0.4) * w.sizes.mass_of(q) * q * q;
             return a * b / (a + b);
         }
@@ -158,7 +158,7 @@ private:
             S::packs(rows, p);
             m.velocity = {p[0], p[1], p[2]};
             m.arm_spin = m.first_arm * Vec3Of<T>{p[4], p[5], p[6]};
-            m.spin_change = p[7];
+            m.velocity_change = p[7];
         } else if constexpr (Variant::single) {
             typename S::Motion a[width], b[width];
             for (int l = 0; l < width; ++l) {
@@ -170,22 +170,22 @@ private:
             S::packs(b, q);
             m.velocity = {p[0] - q[0], p[1] - q[1], p[2] - q[2]};
             m.arm_spin = m.first_arm * Vec3Of<T>{p[4], p[5], p[6]} + m.second_arm * Vec3Of<T>{q[4], q[5], q[6]};
-            m.spin_change = p[7] + q[7];
+            m.velocity_change = p[7] + q[7];
         } else {
             T unused;
             m.velocity = rows_of(
                 w.contact_velocity, i, j, [](Row a, Row b) { return S::subtract(a, b); }, unused);
             if constexpr (Variant::equal) {
-                m.arm_spin =
-                    m.first_arm * rows_of(
-                                      w.contact_spin, i, j, [](Row a, Row b) { return S::add(a, b); }, m.spin_change);
+                m.arm_spin = m.first_arm *
+                             rows_of(
+                                 w.contact_spin, i, j, [](Row a, Row b) { return S::add(a, b); }, m.velocity_change);
             } else {
                 T change;
                 m.arm_spin = m.first_arm * rows_of(
                                                w.contact_spin, i, j, [](Row a, Row) { return a; }, change) +
                              m.second_arm * rows_of(
-                                                w.contact_spin, i, j, [](Row, Row b) { return b; }, m.spin_change);
-                m.spin_change += change;
+                                                w.contact_spin, i, j, [](Row, Row b) { return b; }, m.velocity_change);
+                m.velocity_change += change;
             }
         }
     }

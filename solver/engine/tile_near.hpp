@@ -44,7 +44,7 @@ private:
         normal.z = S::load(whole<width>(w.near.normal_z, n, end, buffer));
         const T separation = S::load(whole<width>(w.near.separation, n, end, buffer));
         const T rate = partner.closing_rate(w.velocity, i, j, normal);
-        const T force = impulse(separation, rate, partner.coefficients(radii(i, j)));
+        const T force = impulse(separation, rate, coefficients(i, j));
         const T push = T(Real(w.time_step)) * force;
         const Vec3Of<T> change = push * normal;
         Row rows[width];
@@ -69,17 +69,13 @@ private:
         return 0;
     }
 
-    /// What the coefficients depend on.
-    RECOAT_HD TileMeeting<T> radii(const std::int32_t* i, const std::int32_t* j) const {
-        TileMeeting<T> m;
+    RECOAT_HD auto coefficients(const std::int32_t* i, const std::int32_t* j) const {
         Real a[width], b[width];
         for (int l = 0; l < width; ++l) {
             a[l] = b[l] = static_cast<Real>(w.position[4 * std::size_t(i[l]) + 3]);
             if constexpr (!Partner::is_wall) b[l] = static_cast<Real>(w.position[4 * std::size_t(j[l]) + 3]);
         }
-        m.first_radius = S::load(a);
-        m.second_radius = S::load(b);
-        return m;
+        return partner.coefficients(S::load(a), S::load(b));
     }
 };
 

@@ -42,11 +42,12 @@ struct WallTile {
         m.separation = Types::narrowed(separation);
         m.distance = Types::narrowed(distance);
         m.first_radius = m.second_radius = Types::narrowed(radius);
-        m.first_arm = w.radius_arm ? m.first_radius : m.distance;
+        m.first_arm = m.distance;
+        if (w.radius_arm) m.first_arm = m.first_radius;
         m.second_arm = T(Real(0));
         motions(i, m);
     }
-    RECOAT_HD decltype(auto) coefficients(const TileMeeting<T>& m) const { return w.sizes.of_wall(m.first_radius); }
+    RECOAT_HD decltype(auto) coefficients(const T& radius, const T&) const { return w.sizes.of_wall(radius); }
     RECOAT_HD T closing_rate(const double* velocity, const std::int32_t* i, const std::int32_t*,
                              const Vec3Of<T>& normal) const {
         T unused;
@@ -61,11 +62,10 @@ struct WallTile {
         T unused;
         return rows_of(w.spin, i, unused);
     }
-    RECOAT_HD T rolling_inertia(const TileMeeting<T>& m) const {
+    RECOAT_HD T rolling_inertia(const T& r, const T&) const {
         if constexpr (Variant::equal) {
             return T(Real(w.sizes.inertia));
         } else {
-            const T r = m.first_radius;
             return T(0.4) * w.sizes.mass_of(r) * r * r;
         }
     }
@@ -86,11 +86,11 @@ private:
             S::packs(rows, p);
             m.velocity = {p[0], p[1], p[2]};
             spin = {p[4], p[5], p[6]};
-            m.spin_change = p[7];
+            m.velocity_change = p[7];
         } else {
             T unused;
             m.velocity = rows_of(w.contact_velocity, i, unused);
-            spin = rows_of(w.contact_spin, i, m.spin_change);
+            spin = rows_of(w.contact_spin, i, m.velocity_change);
         }
         m.velocity = m.velocity - spread_wall_velocity();
         m.arm_spin = m.first_arm * spin;

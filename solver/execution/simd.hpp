@@ -67,6 +67,7 @@ struct Simd<Baseline> {
     }
     /// a b + c
     static RECOAT_HD Row multiply_add(const Row& a, const Row& b, const Row& c) { return add(multiply(a, b), c); }
+    static RECOAT_HD Row with_fourth(const Row& a, double w) { return {{a.value[0], a.value[1], a.value[2], w}}; }
     /// Sum of the first three.
     static RECOAT_HD double sum3(const Row& a) { return a.value[0] + a.value[1] + a.value[2]; }
 

@@ -37,6 +37,7 @@ struct SimdRows {
     static RECOAT_HD Row subtract(Row a, Row b) { return _mm256_sub_pd(a, b); }
     static RECOAT_HD Row multiply(Row a, Row b) { return _mm256_mul_pd(a, b); }
     static RECOAT_HD Row multiply_add(Row a, Row b, Row c) { return _mm256_fmadd_pd(a, b, c); }
+    static RECOAT_HD Row with_fourth(Row a, double w) { return _mm256_blend_pd(a, _mm256_set1_pd(w), 8); }
     static RECOAT_HD double sum3(Row a) {
         const __m128d low = _mm256_castpd256_pd128(a), high = _mm256_extractf128_pd(a, 1);
         return _mm_cvtsd_f64(_mm_add_sd(_mm_add_sd(low, _mm_unpackhi_pd(low, low)), high));
