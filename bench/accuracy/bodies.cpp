@@ -59,6 +59,10 @@ std::unique_ptr<Engine> Bodies::approaching(double separation, double speed) con
     return make_engine(setup_, pair, {});
 }
 
+std::unique_ptr<Engine> Bodies::glancing(double separation, double normal, double tangential) const {
+    return on_plane(setup_, {0, 0, 0.5 * diameter() + separation}, {tangential, 0, -normal}, {0, 0, 1});
+}
+
 std::unique_ptr<Engine> Bodies::sliding(double speed) const {
     EngineSetup setup = setup_;
     setup.gravity = {0, 0, -gravity_};

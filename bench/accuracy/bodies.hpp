@@ -14,6 +14,8 @@ public:
 
     /// `separation` apart and closing at `speed` [m, m/s].
     [[nodiscard]] std::unique_ptr<Engine> approaching(double separation, double speed) const;
+    /// A sphere `separation` above the wall that approaches it at `normal` and goes along it at `tangential`.
+    [[nodiscard]] std::unique_ptr<Engine> glancing(double separation, double normal, double tangential) const;
     /// A sphere on the wall, pressed by its weight and the attraction, that slides at `speed`.
     [[nodiscard]] std::unique_ptr<Engine> sliding(double speed) const;
     /// A sphere held by the wall above it, without gravity; `pulled` continues it under another gravity, along -z.

@@ -71,6 +71,18 @@ double stop_distance(const Bodies& bodies, double speed, double longest) {
     return std::numeric_limits<double>::quiet_NaN();
 }
 
+double oblique_change(const Bodies& bodies, double speed, double slope, double phase) {
+    const auto engine = bodies.glancing((3 + phase) * speed * bodies.time_step(), speed, slope * speed);
+    for (;;) {
+        engine->advance(steps_per_look);
+        const ParticleTable now = engine->particles();
+        if (!(bodies.separation(now) > 0 && bodies.rate(now) > 0)) continue;
+        // The last force is still in the velocity.
+        engine->advance(steps_per_look);
+        return engine->particles().velocity[0].x / speed - slope;
+    }
+}
+
 double pull_off_load(const Bodies& bodies, double duration) {
     const double time_step = bodies.time_step();
     const std::int64_t part = std::max<std::int64_t>(1, std::llround(duration / time_step / 5000));

@@ -16,6 +16,10 @@ double capture_speed(const Bodies& bodies, double guess, double phase);
 /// `longest` [s].
 double stop_distance(const Bodies& bodies, double speed, double longest);
 
+/// What an impact on the wall at the normal speed `speed` and `slope` times that along it does to the motion along it,
+/// in units of the normal speed: change of the velocity.
+double oblique_change(const Bodies& bodies, double speed, double slope, double phase);
+
 /// Load that takes a sphere off its wall, over the largest attraction; the load grows evenly to twice that in
 /// `duration` [s]. 2: it never came off.
 double pull_off_load(const Bodies& bodies, double duration);

@@ -19,7 +19,7 @@ struct Options {
     std::vector<std::string> settings;
     int phases = 8;
     std::vector<double> capture{0, 0};
-    double speed = 0.05, longest = 0, ramp = 0;
+    double speed = 0.05, longest = 0, ramp = 0, slope = 0;
 };
 
 void add_options(CLI::App& app, Options& o) {
@@ -30,6 +30,8 @@ void add_options(CLI::App& app, Options& o) {
         ->expected(2);
     app.add_option("--speed", o.speed, "of the fast impact and of sliding [m/s]");
     app.add_option("--longest", o.longest, "time of sliding at most [s]; 0: not measured");
+    app.add_option("--oblique", o.slope,
+                   "velocity along the wall over that towards it: that impact only; 0: not measured");
     app.add_option("--ramp", o.ramp, "time in which the load of the pull-off grows [s]; 0: not measured");
 }
 
@@ -53,6 +55,12 @@ void measure(const Options& o) {
     const Scene scene = load_scene(o.scene, o.settings);
     const Bodies pair(scene, false), wall(scene, true);
     Json found = {{"time_step", scene.time_step}, {"bond_number", scene.bond_number}};
+    if (o.slope > 0) {
+        found["oblique"] =
+            over_phases(o.phases, [&](double phase) { return oblique_change(wall, o.speed, o.slope, phase); });
+        std::puts(found.dump(1).c_str());
+        return;
+    }
     found["pair"] = impacts(pair, o, o.capture[0]);
     found["wall"] = impacts(wall, o, o.capture[1]);
     if (o.longest > 0) found["stop_distance"] = stop_distance(wall, o.speed, o.longest);

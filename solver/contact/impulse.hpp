@@ -11,6 +11,17 @@ RECOAT_HD T path_per_force(const C& c, Real time_step) {
     return T(Real(0.5) * time_step) * (T(time_step) * c.inverse_mass);
 }
 
+/// Solves of a step after the first, in each of which every pair sees what the impulses of the one before do to its
+/// partners: a particle that others hold would else let go early, and bound ones gain energy [docs/physics.md 2.5].
+inline constexpr int corrections_of_impulses = 1;
+
+/// What the rate of a pair, that half of all impulses of a step are in, is without half of that of its own `force`
+/// [m/s]: what the solve of the pair by itself begins from.
+template <class T, class C, class Real>
+RECOAT_HD T rate_without(T force, T rate, const C& c, Real time_step) {
+    return rate + T(Real(0.5) * time_step) * (force * T(c.inverse_mass));
+}
+
 /// Mean attraction of a step that crosses s = 0 and stays below s_min; `otherwise` for any other step.
 ///
 /// The force jumps at s = 0, so that the fixed point and the secant do not converge for slow crossings. There

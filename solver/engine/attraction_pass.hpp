@@ -7,8 +7,9 @@
 namespace recoat {
 
 /// Impulse of the attraction in contact `offset + k`, from the velocities that all other forces predict
-/// [docs/physics.md section 2.5]. Returns 0.
-template <class Partner, class Impulse>
+/// [docs/physics.md section 2.5]; or, `again`, from those that the impulses found so far foresee (ForeseePass).
+/// Returns 0.
+template <class Partner, class Impulse, bool again>
 struct AttractionPass {
     static constexpr bool measures = false;
     Partner partner;
@@ -22,12 +23,15 @@ struct AttractionPass {
         const std::size_t k = offset + index;
         const std::int32_t i = c.first[k], j = c.second[k];
         const Vec3 normal = {c.normal_x[k], c.normal_y[k], c.normal_z[k]};
-        const Vec3 velocity = partner.velocity(p.velocity, j) - load(p.velocity, i).xyz();
-        const double force = impulse(c.separation[k], dot(velocity, normal), partner.coefficients(p, i, j));
-        const Vec3 push = time_step * force * normal;
+        const Row* velocities = again ? p.contact_velocity : p.velocity;
+        const Vec3 velocity = partner.velocity(velocities, j) - load(velocities, i).xyz();
+        const Coefficients& coefficients = partner.coefficients(p, i, j);
+        const double before = again ? c.attraction[k] : 0;
+        const double rate = rate_without(before, dot(velocity, normal), coefficients, time_step);
+        const double force = impulse(c.separation[k], rate, coefficients);
         c.attraction[k] = force;
-        store(c.impulse, k, row(push));
-        if constexpr (Partner::is_wall) c.wall_work[k] += partner.wall_power(push);
+        store(c.impulse, k, row(time_step * force * normal));
+        if constexpr (Partner::is_wall) c.wall_work[k] += partner.wall_power(time_step * (force - before) * normal);
         return 0;
     }
 };

@@ -164,10 +164,9 @@ private:
         space_.run(passes_.contacts(s_, memory, setup_.time_step));
         if constexpr (cohesive) {
             space_.run(passes_.forces(s_, memory));
-            passes_.attract(s_, memory, [&](const auto& impulses, const auto& motion) {
-                space_.run(impulses);
-                space_.run_last(motion, end);
-            });
+            passes_.attract(
+                s_, memory, [&](const auto& loop) { space_.run(loop); },
+                [&](const auto& motion) { space_.run_last(motion, end); });
         } else {
             space_.run_last(passes_.forces(s_, memory), end);
         }

@@ -62,10 +62,9 @@ SimulationFault too_fast(Snapshot& s, const EngineSetup& setup, const Sizes& siz
     if constexpr (cohesive) {
         space.run(forces);
         if (std::isfinite(control.peak[static_cast<std::size_t>(StepStage::forces)]))
-            passes.attract(s, memory, [&](const auto& impulses, const auto& motion) {
-                space.run(impulses);
-                culprit = fastest(s, motion.pass, passes.speed_limit());
-            });
+            passes.attract(
+                s, memory, [&](const auto& loop) { space.run(loop); },
+                [&](const auto& motion) { culprit = fastest(s, motion.pass, passes.speed_limit()); });
     }
     return speed_fault(s, setup, culprit, passes.speed_limit());
 }

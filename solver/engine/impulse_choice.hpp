@@ -15,6 +15,13 @@ using ImpulseChoiceOf = std::variant<FixedPointImpulse<2, Real>, SecantImpulse<3
                                      ExplicitImpulse<Real>, PredictionCorrectionImpulse<Real>>;
 using ImpulseChoice = ImpulseChoiceOf<double>;
 
+/// How often the pairs of a step are solved again.
+template <class Real>
+int corrections_of(const ImpulseChoiceOf<Real>& choice) {
+    return std::visit([](const auto& impulse) { return impulse.half_step_positions ? corrections_of_impulses : 0; },
+                      choice);
+}
+
 /// The same scheme with numbers of another type.
 template <class Real>
 ImpulseChoiceOf<Real> cast(const ImpulseChoice& choice) {

@@ -138,6 +138,12 @@ struct ImpulsePass {
         return square > squared_norm(mean) ? square : squared_norm(mean);
     }
 
+    /// Mean velocity of the step by the impulses found so far [m/s].
+    RECOAT_HD Vec3 mean(std::size_t i) const {
+        const Vec3 before = load(p.velocity, i).xyz();
+        return weight * before + (1 - weight) * pushed(i, before, load(p.position, i).w);
+    }
+
     /// Speed that the step would give [m/s].
     RECOAT_HD double next_speed(std::size_t i) const {
         return norm(pushed(i, load(p.velocity, i).xyz(), load(p.position, i).w));
@@ -151,6 +157,18 @@ private:
             sum += (entry & 1 ? -1.0 : 1.0) * load(impulse, entry >> 1).xyz();
         }
         return velocity + sizes.inverse_mass_of(radius) * sum;
+    }
+};
+
+/// Writes the mean velocity of the step by the impulses found so far in the place of the one that contacts see. Returns
+/// 0.
+template <class Sizes>
+struct ForeseePass {
+    ImpulsePass<Sizes> motion;
+
+    RECOAT_HD double operator()(std::size_t i) const {
+        store(motion.p.contact_velocity, i, row(motion.mean(i)));
+        return 0;
     }
 };
 

@@ -59,16 +59,13 @@ public:
         return over_particles(s, memory, StepStage::forces, particle_pass(s));
     }
 
-    /// Calls f(impulses, motion): the loops of the attraction, for the scheme chosen.
-    template <class Space, class Function>
-    void attract(SnapshotOf<Space>& s, const StepMemory& memory, const Function& f) const {
+    /// Calls run(loop) for the loops of the attraction in the scheme chosen, and last(loop) for the one that moves the
+    /// particles.
+    template <class Space, class Run, class Last>
+    void attract(SnapshotOf<Space>& s, const StepMemory& memory, const Run& run, const Last& last) const {
         std::visit(
             [&](const auto& impulse) {
                 using Impulse = std::decay_t<decltype(impulse)>;
-                const auto impulses = over_contacts(s, memory, StepStage::attraction, [&](const auto& partner) {
-                    using Pass = AttractionPass<std::decay_t<decltype(partner)>, Impulse>;
-                    return Pass{partner, impulse, s.particles.view(), s.contacts.view(), setup_.time_step, 0};
-                });
                 const ImpulsePass<Sizes> motion{sizes_,
                                                 s.particles.view(),
                                                 incidence(s),
@@ -76,7 +73,14 @@ public:
                                                 setup_.time_step,
                                                 Impulse::half_step_positions ? 0.5 : 0.0,
                                                 speed_limit_ * speed_limit_};
-                f(impulses, over_particles(s, memory, StepStage::attraction, motion));
+                run(impulses<false>(s, memory, impulse));
+                if constexpr (Impulse::half_step_positions) {
+                    for (int pass = 0; pass < corrections_of_impulses; ++pass) {
+                        run(over_particles(s, memory, StepStage::attraction, ForeseePass<Sizes>{motion}));
+                        run(impulses<true>(s, memory, impulse));
+                    }
+                }
+                last(over_particles(s, memory, StepStage::attraction, motion));
             },
             impulse_);
     }
@@ -104,6 +108,14 @@ public:
     }
 
 private:
+    template <bool again, class Space, class Impulse>
+    [[nodiscard]] auto impulses(SnapshotOf<Space>& s, const StepMemory& memory, const Impulse& impulse) const {
+        return over_contacts(s, memory, StepStage::attraction, [&](const auto& partner) {
+            using Pass = AttractionPass<std::decay_t<decltype(partner)>, Impulse, again>;
+            return Pass{partner, impulse, s.particles.view(), s.contacts.view(), setup_.time_step, 0};
+        });
+    }
+
     template <class Space>
     static IncidenceView incidence(SnapshotOf<Space>& s) {
         return {s.contacts.incidence_begin.data(), s.contacts.incidence.data()};

@@ -25,31 +25,42 @@ struct TileLoops {
     static void particles(const Work& w, TileRange range, TileTally& tally) {
         ParticleTile<Set, Variant>(w).advance(range, tally);
     }
-    static void near(const Work& w, const Wall* wall, TileRange range) {
+    static void near(const Work& w, const Wall* wall, TileRange range) { solve<false>(w, wall, range); }
+    static void foresee(const Work& w, TileRange range) { ParticleTile<Set, Variant>(w).foresee(range); }
+    static void correct(const Work& w, const Wall* wall, TileRange range) { solve<true>(w, wall, range); }
+    static void finish(const Work& w, TileRange range, TileTally& tally) {
+        ParticleTile<Set, Variant>(w).finish(range, tally);
+    }
+
+private:
+    template <bool again>
+    static void solve(const Work& w, const Wall* wall, TileRange range) {
         if constexpr (Variant::cohesive) {
             with_partner(w, wall, [&](const auto& partner) {
                 using Partner = std::decay_t<decltype(partner)>;
                 const NearTile<Set, Variant, Partner> tile{w, partner};
                 switch (w.impulse.index()) {
                     case 0:
-                        return tile(*std::get_if<0>(&w.impulse), range);
+                        return tile.template solve<again>(*std::get_if<0>(&w.impulse), range);
                     case 1:
-                        return tile(*std::get_if<1>(&w.impulse), range);
+                        return tile.template solve<again>(*std::get_if<1>(&w.impulse), range);
                     case 2:
-                        return tile(*std::get_if<2>(&w.impulse), range);
-                    case 3:
-                        return tile(*std::get_if<3>(&w.impulse), range);
+                        return tile.template solve<again>(*std::get_if<2>(&w.impulse), range);
                     default:
-                        return tile(*std::get_if<4>(&w.impulse), range);
+                        // The other schemes know no corrections.
+                        if constexpr (!again) other_scheme(tile, range);
                 }
             });
         }
     }
-    static void finish(const Work& w, TileRange range, TileTally& tally) {
-        ParticleTile<Set, Variant>(w).finish(range, tally);
+    template <class Tile>
+    static RECOAT_HD void other_scheme(const Tile& tile, TileRange range) {
+        if (tile.w.impulse.index() == 3)
+            tile.template solve<false>(*std::get_if<3>(&tile.w.impulse), range);
+        else
+            tile.template solve<false>(*std::get_if<4>(&tile.w.impulse), range);
     }
 
-private:
     template <class Function>
     static RECOAT_HD void with_partner(const Work& w, const Wall* wall, const Function& f) {
         if (wall == nullptr)
@@ -64,7 +75,7 @@ private:
 template <class Set, class Variant>
 TileKernels<Variant> tile_kernels() {
     using Loops = TileLoops<Set, Variant>;
-    return {Loops::contacts, Loops::particles, Loops::near, Loops::finish};
+    return {Loops::contacts, Loops::particles, Loops::near, Loops::foresee, Loops::correct, Loops::finish};
 }
 
 /// Instantiates the loops of every variant of numbers `Number` for the instruction set `Set`.

@@ -5,7 +5,8 @@
 
 namespace recoat {
 
-/// Solves the attraction of the near contacts of one kind of partner and adds up its impulses.
+/// Solves the attraction of the near contacts of one kind of partner and adds up its impulses: first each contact by
+/// itself, then once more with what the impulses found so far do to both partners [docs/physics.md section 2.5].
 template <class Set, class Variant, class Partner>
 struct NearTile {
     using Types = TileTypes<Set, Variant>;
@@ -20,16 +21,16 @@ struct NearTile {
     const Work& w;
     const Partner& partner;
 
-    template <class Impulse>
-    RECOAT_HD void operator()(const Impulse& impulse, TileRange range) const {
+    template <bool again, class Impulse>
+    RECOAT_HD void solve(const Impulse& impulse, TileRange range) const {
         double work = 0;
-        for (std::size_t n = range.begin; n < range.end; n += width) work += pack(impulse, n, range.end);
+        for (std::size_t n = range.begin; n < range.end; n += width) work += pack<again>(impulse, n, range.end);
         if constexpr (Partner::is_wall)
             if (range.begin < range.end) w.wall_work[std::size_t(w.near.contact[range.begin])] += work;
     }
 
 private:
-    template <class Impulse>
+    template <bool again, class Impulse>
     RECOAT_HD double pack(const Impulse& impulse, std::size_t n, std::size_t end) const {
         const int lanes = n + width <= end ? width : static_cast<int>(end - n);
         std::int32_t i[width], j[width], contact_buffer[width];
@@ -43,9 +44,11 @@ private:
         normal.y = S::load(whole<width>(w.near.normal_y, n, end, buffer));
         normal.z = S::load(whole<width>(w.near.normal_z, n, end, buffer));
         const T separation = S::load(whole<width>(w.near.separation, n, end, buffer));
-        const T rate = partner.closing_rate(w.velocity, i, j, normal);
-        const T force = impulse(separation, rate, coefficients(i, j));
-        const T push = T(Real(w.time_step)) * force;
+        const T rate = partner.closing_rate(again ? w.contact_velocity : w.velocity, i, j, normal);
+        const auto& c = coefficients(i, j);
+        const T before = again ? forces_before(contact) : T(Real(0));
+        const T force = impulse(separation, rate_without(before, rate, c, w.time_step), c);
+        const T push = T(Real(w.time_step)) * (force - before);
         const Vec3Of<T> change = push * normal;
         Row rows[width];
         S::rows(change.x, change.y, change.z, T(Real(0)), rows);
@@ -67,6 +70,12 @@ private:
             return work;
         }
         return 0;
+    }
+
+    RECOAT_HD T forces_before(const std::int32_t* contact) const {
+        Real force[width];
+        for (int l = 0; l < width; ++l) force[l] = w.last_attraction[contact[l]];
+        return S::load(force);
     }
 
     RECOAT_HD auto coefficients(const std::int32_t* i, const std::int32_t* j) const {

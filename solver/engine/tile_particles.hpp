@@ -38,6 +38,20 @@ struct ParticleTile {
         fastest.tell(tally);
     }
 
+    /// Mean velocities of the step as the impulses found so far make them, of particles with near contacts; in the
+    /// place of the velocities that contacts see.
+    RECOAT_HD void foresee(TileRange range) const {
+        if constexpr (Variant::cohesive) {
+            for (std::size_t i = range.begin; i < range.end; ++i) {
+                const double* sum = sums(i);
+                if (!(sum[7] > 0)) continue;
+                S::store(w.contact_velocity + 4 * i,
+                         S::multiply_add(S::row(sum + Sum::attraction), thrice(0.5 * inverse_mass(i)),
+                                         S::row(w.velocity + 4 * i)));
+            }
+        }
+    }
+
     /// Impulses of the near contacts, and the positions that were left out.
     RECOAT_HD void finish(TileRange range, TileTally& tally) const {
         if constexpr (Variant::cohesive) {

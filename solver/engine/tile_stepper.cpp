@@ -38,6 +38,7 @@ public:
         work_.radius_arm = setup.model.lever_arm == LeverArm::radius;
         work_.own_rolling_length = by_radius ? length : 0;
         work_.own_rolling_constant = by_radius ? 0 : 1;
+        corrections_ = corrections_of(work_.impulse);
     }
 
     void begin(Snapshot& s, std::int64_t lists) override {
@@ -111,10 +112,19 @@ private:
             if (!inner(p)) over_tiles(parts[p], [&](TileRange tile) { advance(p, tile); });
         if constexpr (Variant::cohesive) {
             barrier();
-            for (std::size_t p = from; p < to; ++p) attract(p);
+            for (std::size_t p = from; p < to; ++p) attract(p, kernels_.near);
+            for (int pass = 0; pass < corrections_; ++pass) {
+                barrier();
+                for (std::size_t p = from; p < to; ++p) {
+                    absorb_near(p);
+                    kernels_.foresee(work_, parts[p].particles);
+                }
+                barrier();
+                for (std::size_t p = from; p < to; ++p) attract(p, kernels_.correct);
+            }
             barrier();
             for (std::size_t p = from; p < to; ++p) {
-                absorb(p, parts[p].particles, [](const TilePart& other) { return other.any_near(); });
+                absorb_near(p);
                 kernels_.finish(work_, parts[p].particles, tallies_[p]);
             }
         }
@@ -169,18 +179,24 @@ private:
         }
     }
 
-    void attract(std::size_t p) {
+    /// What the attraction of near contacts has added since.
+    void absorb_near(std::size_t p) {
+        absorb(p, plan_.parts()[p].particles, [](const TilePart& other) { return other.any_near(); });
+    }
+
+    void attract(std::size_t p, decltype(TileKernels<Variant>::near) solve) {
         TilePart& part = plan_.parts()[p];
         for (std::size_t segment = 0; segment <= walls_.size(); ++segment) {
             if (part.near[segment] == 0) continue;
             const std::size_t begin = contacts_of(segment, part.particles).begin;
-            kernels_.near(work_, wall_of(segment), {begin, begin + part.near[segment]});
+            solve(work_, wall_of(segment), {begin, begin + part.near[segment]});
         }
     }
 
     EngineSetup setup_;
     TileKernels<Variant> kernels_;
     int threads_;
+    int corrections_ = 0;
     double fastest_;  ///< speed beyond which a run stops [m/s]
     TileWork<Variant> work_{};
     Snapshot* snapshot_ = nullptr;

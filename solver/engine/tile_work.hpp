@@ -88,6 +88,10 @@ struct TileKernels {
     void (*particles)(const Work&, TileRange range, TileTally&);
     /// Attraction of the listed near contacts.
     void (*near)(const Work&, const Wall* wall, TileRange range);
+    /// Mean velocities of the step of the particles with near contacts, by the impulses found so far.
+    void (*foresee)(const Work&, TileRange range);
+    /// Attraction of the near contacts again, from those.
+    void (*correct)(const Work&, const Wall* wall, TileRange range);
     /// Positions of the particles with near contacts.
     void (*finish)(const Work&, TileRange range, TileTally&);
 };

@@ -32,33 +32,44 @@ def stiffness(young, poisson, reduced_radius, rigid=False):
 
 @dataclass
 class Cohesive:
-    """A pair or a sphere on a wall of the paper's powder at its original stiffness."""
+    """A pair or a sphere on a wall, at its original stiffness; the paper's powder unless another is given."""
 
     bond: float
     share: float
+    radius: float = RADIUS
+    density: float = DENSITY
+    young: float = YOUNG
+    poisson: float = POISSON
+    restitution: float = RESTITUTION
+    near: float = NEAR
+    far: float = FAR
+
+    @property
+    def sphere_mass(self):
+        return 4 / 3 * np.pi * self.radius**3 * self.density
 
     @property
     def mass(self):
-        return self.share * MASS
+        return self.share * self.sphere_mass
 
     @property
     def force(self):
         """Largest attraction: Bo weights for a pair, twice that on a wall."""
-        return 2 * self.share * self.bond * MASS * GRAVITY
+        return 2 * self.share * self.bond * self.sphere_mass * GRAVITY
 
     def well(self, s):
-        """Work of the attraction from s to FAR, out of contact."""
-        far = max(s, NEAR)
-        return self.force * (NEAR**2 * (1 / far - 1 / FAR) + (far - s))
+        """Work of the attraction from s to where it ends, out of contact."""
+        far = max(s, self.near)
+        return self.force * (self.near**2 * (1 / far - 1 / self.far) + (far - s))
 
     @property
     def stiffness(self):
-        return stiffness(YOUNG, POISSON, self.share * RADIUS)
+        return stiffness(self.young, self.poisson, self.share * self.radius)
 
     def contact(self, entry):
         """Speed at the end of the overlap, and its duration, after an impact that first touches at `entry`."""
         length = (self.mass * entry**2 / self.stiffness) ** 0.4
-        out, duration, _ = normal_impact(damping(RESTITUTION), self.force / (self.stiffness * length**1.5))
+        out, duration, _ = normal_impact(damping(self.restitution), self.force / (self.stiffness * length**1.5))
         return entry * out, duration * length / entry
 
     def excess(self, entry):
@@ -70,7 +81,10 @@ class Cohesive:
 
     def capture(self):
         escape = np.sqrt(2 * self.well(0) / self.mass)
-        entry = brentq(self.excess, 1.5 * escape, 30 * escape, xtol=1e-18, rtol=1e-12)
+        fast = 2 * escape
+        while self.excess(fast) < 0:
+            fast *= 2
+        entry = brentq(self.excess, 1.0001 * escape, fast, xtol=1e-18, rtol=1e-12)
         return np.sqrt(entry**2 - escape**2)
 
     def release(self, start):
@@ -80,7 +94,7 @@ class Cohesive:
             return np.sqrt(2 * (self.well(s) - self.well(start)) / self.mass)
 
         # s = start - p^2 takes the square root out of the start; the kink of the force at NEAR splits the path.
-        ends = np.sqrt([0, start - NEAR, start])
+        ends = np.sqrt([0, start - self.near, start])
         legs = [quad(lambda p: 2 * p / speed(start - p * p), a, b, epsrel=1e-11)[0] for a, b in zip(ends, ends[1:])]
         return sum(legs), speed(0.0)
 
