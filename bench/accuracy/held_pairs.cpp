@@ -30,10 +30,8 @@ int main(int argc, char** argv) {
         engine->advance(warm);
         const EnergyLedger before = engine->ledger();
         HeldPairs found;
-        for (std::int64_t step = 0; step < steps; ++step) {
-            engine->advance(1);
-            found.add(held_pairs(*engine, setup));
-        }
+        HeldPairsOfStep step(*engine, setup);
+        for (std::int64_t k = 0; k < steps; ++k) found.add(step());
         const EnergyLedger after = engine->ledger();
         std::printf(
             "{\"particles\": %zu, \"bond_number\": %g, \"time_step\": %g, \"steps\": %lld, \"held\": %lld, \"left\": "

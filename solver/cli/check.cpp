@@ -1,6 +1,7 @@
 #include "solver/cli/check.hpp"
 
 #include <cmath>
+#include <optional>
 
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,7 @@
 #include "solver/output/output_size.hpp"
 #include "solver/scene/derived.hpp"
 #include "solver/scene/initial_particles.hpp"
+#include "solver/scene/step_errors.hpp"
 #include "solver/scene/time_step_limits.hpp"
 #include "solver/start_overlaps.hpp"
 
@@ -63,6 +65,17 @@ Json limits_json(const Scene& scene) {
                           {"stability", limit.stability}});
     }
     return limits;
+}
+
+std::string name_of(TimeStepChoice choice) {
+    if (choice == TimeStepChoice::given) return "given";
+    return choice == TimeStepChoice::automatic ? "auto" : "fast";
+}
+
+Json errors_json(const StepErrors& errors) {
+    return {{"capture_velocity", errors.capture_velocity},
+            {"rebound", errors.rebound},
+            {"energy_balance", errors.energy_balance}};
 }
 
 Json stages_json(const Scene& scene) {
@@ -138,7 +151,8 @@ Json report_json(const Scene& scene, const Resources& resources, const std::file
     report.update(derived_json(scene));
     report["reference_speed"] = scene.reference_speed;
     report["time_step"] = scene.time_step;
-    report["time_step_is_automatic"] = scene.time_step_is_automatic;
+    report["time_step_choice"] = name_of(scene.time_step_choice);
+    if (const std::optional<StepErrors> errors = step_errors(scene)) report["time_step_errors"] = errors_json(*errors);
     report["time_step_limits"] = limits_json(scene);
     report["stages"] = stages_json(scene);
     report["steps"] = Steps(scene).most;

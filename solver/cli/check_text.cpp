@@ -59,13 +59,23 @@ std::string cohesion_text(const Json& r) {
 }
 
 std::string time_text(const Json& r) {
-    const std::string by = r["time_step_is_automatic"].get<bool>() ? "chosen (auto)" : "chosen";
+    const auto choice = r["time_step_choice"].get<std::string>();
+    const std::string by = choice == "given" ? "chosen" : fmt::format("chosen ({})", choice);
     std::string text = "Time step\n" + row(by, r["time_step"], "s");
     for (const Json& limit : r["time_step_limits"]) {
         text += row(limit["name"].get<std::string>(),
                     fmt::format("{}, the step is {:.2f} % of it: {}{}", readable(limit["limit"].get<double>(), "s"),
                                 100 * limit["share"].get<double>(), limit["formula"].get<std::string>(),
                                 limit["stability"].get<bool>() ? " (stability limit)" : ""));
+    }
+    if (r.contains("time_step_errors")) {
+        const Json& e = r["time_step_errors"];
+        const auto percent = [&](const char* key) {
+            return fmt::format("within {:.2g} %", 100 * e[key].get<double>());
+        };
+        text += row("error of the capture velocity", percent("capture_velocity"));
+        text += row("error of the rebound from the speed of the scene", percent("rebound"));
+        text += row("error of the balance of energy", percent("energy_balance"));
     }
     text += "Stages\n";
     for (const Json& stage : r["stages"]) {

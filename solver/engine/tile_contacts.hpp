@@ -202,11 +202,13 @@ private:
     RECOAT_HD T attract(std::size_t k, int lanes, const Stage& stage, std::size_t& near, Row* rows, Booked& booked,
                         const T& counts) const {
         using std::abs;
-        // How far they may come apart: at their speed, and by three times what their velocities changed by in the last
-        // step.
+        // How far they may come apart: at their speed, by three times what their velocities changed by in the last
+        // step, and where two other pairs of each partner take hold or let go in this step.
+        const auto& c = coefficients(stage);
         const T way =
             T(Real(w.time_step)) * (T(Real(1.5)) * abs(stage.closing_rate) + T(Real(3)) * stage.velocity_change) +
-            T(Real(0.1) * w.attraction.minimum_separation);
+            T(Real(0.1) * w.attraction.minimum_separation) +
+            T(Real(2)) * path_per_force<T>(c, Real(w.time_step)) * T(c.attraction_gap);
         const bool exact = w.impulse.index() < 3;  // a discrete gradient; the other schemes know no such constant
         const auto held = stage.separation + way < T(Real(exact ? 0 : -1));
         const auto listed = (stage.separation <= T(Real(w.attraction.cut_off)) + way) & !held;

@@ -208,30 +208,28 @@ private:
     TileMemory<Variant> memory_;
 };
 
-template <bool equal, bool cohesive, bool relative>
-std::unique_ptr<TileStepper> with_precision(const EngineSetup& setup, double radius, double smallest) {
-    if (setup.precision == Precision::mixed)
-        return std::make_unique<Stepper<TileVariant<equal, cohesive, relative, float>>>(setup, radius, smallest);
-    return std::make_unique<Stepper<TileVariant<equal, cohesive, relative, double>>>(setup, radius, smallest);
-}
-
-template <bool equal, bool cohesive>
-std::unique_ptr<TileStepper> with_rolling(const EngineSetup& setup, double radius, double smallest) {
-    return setup.model.rolling_form == RollingForm::relative
-               ? with_precision<equal, cohesive, true>(setup, radius, smallest)
-               : with_precision<equal, cohesive, false>(setup, radius, smallest);
-}
-
-template <bool equal>
-std::unique_ptr<TileStepper> with_adhesion(const EngineSetup& setup, double radius, double smallest) {
-    return setup.model.hamaker > 0 ? with_rolling<equal, true>(setup, radius, smallest)
-                                   : with_rolling<equal, false>(setup, radius, smallest);
+/// Calls f(std::bool_constant).
+template <class Function>
+auto with_constant(bool value, const Function& f) {
+    return value ? f(std::true_type()) : f(std::false_type());
 }
 
 }  // namespace
 
 std::unique_ptr<TileStepper> make_tile_stepper(const EngineSetup& setup, double radius, double smallest) {
-    return radius > 0 ? with_adhesion<true>(setup, radius, smallest) : with_adhesion<false>(setup, radius, smallest);
+    using Made = std::unique_ptr<TileStepper>;
+    const bool is_cohesive = setup.model.hamaker > 0, is_relative = setup.model.rolling_form == RollingForm::relative;
+    return with_constant(radius > 0, [&](auto equal) {
+        return with_constant(is_cohesive, [&](auto cohesive) {
+            return with_constant(is_relative, [&](auto relative) -> Made {
+                if (setup.precision == Precision::mixed)
+                    return std::make_unique<Stepper<TileVariant<equal, cohesive, relative, float>>>(setup, radius,
+                                                                                                    smallest);
+                return std::make_unique<Stepper<TileVariant<equal, cohesive, relative, double>>>(setup, radius,
+                                                                                                 smallest);
+            });
+        });
+    });
 }
 
 }  // namespace recoat

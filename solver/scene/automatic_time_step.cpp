@@ -11,9 +11,14 @@
 namespace recoat {
 namespace {
 
-// Both from bench/results/accuracy.json, which `make bench-accuracy` measures.
-constexpr double share_of_contact_time = 0.0225;
-constexpr double share_of_crossing_time = 0.24;
+/// A step in shares of the contact time and of the time in which the attraction crosses s_min.
+struct StepRule {
+    double contact, crossing;
+};
+
+// From bench/results/accuracy.json, which `make bench-accuracy` measures.
+constexpr StepRule automatic_rule = {0.0225, 0.5};
+constexpr StepRule fast_rule = {0.045, 0.8};
 
 double two_digits_down(double value) {
     const double unit = std::pow(10.0, std::floor(std::log10(value)) - 1);
@@ -23,9 +28,10 @@ double two_digits_down(double value) {
 
 }  // namespace
 
-double automatic_time_step(const Scene& scene) {
-    double step = share_of_contact_time * contact_time(scene, scene.reference_speed);
-    if (scene.model.hamaker > 0) step = std::min(step, share_of_crossing_time * attraction_crossing_time(scene));
+double chosen_time_step(const Scene& scene, TimeStepChoice choice) {
+    const StepRule rule = choice == TimeStepChoice::fast ? fast_rule : automatic_rule;
+    double step = rule.contact * contact_time(scene, scene.reference_speed);
+    if (scene.model.hamaker > 0) step = std::min(step, rule.crossing * attraction_crossing_time(scene));
     return two_digits_down(step);
 }
 

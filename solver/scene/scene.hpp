@@ -55,6 +55,13 @@ struct OutputPlan {
     double checkpoint_interval = 600;      ///< of wall-clock time [s]
 };
 
+/// Where the time step comes from [docs/accuracy.md].
+enum class TimeStepChoice {
+    given,
+    automatic,  ///< as long as single contacts and the powder allow
+    fast        ///< as long as beds and layers cannot be told from those of shorter steps
+};
+
 /// A whole simulation as data, in SI units.
 struct Scene {
     std::string kind;                                    ///< spread or particles
@@ -65,7 +72,7 @@ struct Scene {
     double gravity = 0;               ///< along -z [m/s2]
     double reference_gravity = 9.81;  ///< that of the Bond number where gravity is off [m/s2]
     double time_step = 0;             ///< [s]
-    bool time_step_is_automatic = false;
+    TimeStepChoice time_step_choice = TimeStepChoice::given;
     ListSkins skins;
     Precision precision = Precision::double_precision;
     bool sleep = true;  ///< particles at rest are left as they are

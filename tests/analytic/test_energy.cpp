@@ -174,9 +174,9 @@ TEST(Energy, of_a_bound_cluster_hardly_drifts) {
         const std::string step = fine ? " at 2e-8 s" : " at 1e-7 s";
         for (int part = 0; part < 100; ++part) {
             engine->advance(std::lround(1e-5 / time_step));
-            verify("wells, at any time" + step, (engine->ledger().stored() - start) / well, fine ? 0.03 : 0.4);
+            verify("wells, at any time" + step, (engine->ledger().stored() - start) / well, fine ? 0.01 : 0.06);
         }
-        verify("wells, after 1 ms" + step, (engine->ledger().stored() - start) / well, fine ? 0.02 : 0.33);
+        verify("wells, after 1 ms" + step, (engine->ledger().stored() - start) / well, fine ? 0.01 : 0.02);
     }
 }
 

@@ -41,19 +41,13 @@ protected:
 // docs/physics.md section 2.6: the discrete gradient holds the original pull-off force, whatever ratio and step.
 TEST_P(PullOff, of_a_wall_is_twice_the_bond_number) { verify_pull_off("wall", wall_pull_off, {4e-3, 4e-3, 4e-3}); }
 
-// A sphere that other contacts hold has impulses of which that of the pair does not know [section 2.5]: an error of
-// second order in the step, and of the strength of the attraction. Where the other partner is large, it hardly moves.
-// At Bo 400 and 1e-7 s small vibrations decide: 1.9 to 3.5 % with the last digits of the step, or of the compiler.
+// A sphere that other contacts hold has impulses that act on the path of the pair [section 2.5]: solved by itself, the
+// pair would let go 3 % early at Bo 400 and 1e-7 s, and 17 % early from an equal sphere at 2e-7 s.
 TEST_P(PullOff, of_a_large_sphere_is_that_of_the_reduced_radius) {
-    verify_pull_off("large", large_pull_off, {4e-3, 8e-3, 4e-2});
+    verify_pull_off("large", large_pull_off, {2e-3, 2e-3, 4e-3});
 }
 
-TEST_P(PullOff, of_a_pair_is_the_bond_number) {
-    if (GetParam() == 400)
-        verify_pull_off("pair", pair_pull_off, {1e-2, 5e-2, 0.2});
-    else
-        verify_pull_off("pair", pair_pull_off, {8e-3, 8e-3, 1e-2});
-}
+TEST_P(PullOff, of_a_pair_is_the_bond_number) { verify_pull_off("pair", pair_pull_off, {4e-3, 4e-3, 4e-3}); }
 
 INSTANTIATE_TEST_SUITE_P(BondNumber, PullOff, ::testing::Values(5, 50, 400),
                          [](const auto& bond) { return "bond_" + std::to_string(bond.param); });

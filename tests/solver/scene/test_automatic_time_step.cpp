@@ -30,9 +30,9 @@ TEST(AutomaticTimeStep, is_taken_when_none_is_given) {
     const std::string given = "time_step: 2e-8 s\n";
     text.erase(text.find(given), given.size());
     const Scene scene = scene_of(text);
-    EXPECT_TRUE(scene.time_step_is_automatic);
-    EXPECT_EQ(scene.time_step, automatic_time_step(scene));
-    EXPECT_FALSE(scene_of(spread_text).time_step_is_automatic);
+    EXPECT_EQ(scene.time_step_choice, TimeStepChoice::automatic);
+    EXPECT_EQ(scene.time_step, chosen_time_step(scene, TimeStepChoice::automatic));
+    EXPECT_EQ(scene_of(spread_text).time_step_choice, TimeStepChoice::given);
     EXPECT_EQ(scene_of(spread_text).time_step, 2e-8);
 }
 
@@ -40,7 +40,7 @@ TEST(AutomaticTimeStep, is_taken_when_none_is_given) {
 TEST(AutomaticTimeStep, stands_in_the_resolved_configuration) {
     const Scene scene = automatic("5", "0.001");
     const Scene again = scene_of(scene.resolved);
-    EXPECT_FALSE(again.time_step_is_automatic);
+    EXPECT_EQ(again.time_step_choice, TimeStepChoice::given);
     EXPECT_EQ(again.time_step, scene.time_step);
     EXPECT_EQ(again.resolved, scene.resolved);
 }
@@ -98,6 +98,30 @@ TEST(AutomaticTimeStep, keeps_beds_and_layers) {
         EXPECT_LE(scene.time_step, 0.65 * row.at("longest_step").get<double>()) << row;
         EXPECT_GT(scene.time_step, 0.2 * row.at("longest_step").get<double>()) << row;
     }
+}
+
+/// The scene of the tests at a fast step.
+Scene fast(const std::string& bond, const std::string& ratio) {
+    return scene_of(spread_text, {"time_step=fast", "cohesion.bond_number=" + bond, "stiffness_ratio=" + ratio});
+}
+
+// docs/accuracy.md: the longest steps whose beds and layers nothing tells from those of shorter ones.
+TEST(FastTimeStep, keeps_beds_and_layers) {
+    const nlohmann::json rows = measured("powder");
+    ASSERT_FALSE(rows.empty());
+    for (const auto& row : rows) {
+        const Scene scene = fast(std::to_string(row.at("bond").get<double>()), "0.001");
+        EXPECT_LE(scene.time_step, row.at("longest_step").get<double>()) << row;
+    }
+}
+
+TEST(FastTimeStep, is_longer_than_the_automatic_one) {
+    for (const char* bond : {"0", "5", "100", "400", "900"})
+        for (const char* ratio : {"1", "0.001", "0.0001"}) {
+            const Scene scene = fast(bond, ratio);
+            EXPECT_GT(scene.time_step, 1.4 * automatic(bond, ratio).time_step) << bond << ' ' << ratio;
+            EXPECT_EQ(scene.time_step_choice, TimeStepChoice::fast);
+        }
 }
 
 TEST(AutomaticTimeStep, has_two_digits) {
