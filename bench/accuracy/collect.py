@@ -11,9 +11,10 @@ from pathlib import Path
 
 from recommend import PAPER_RATIO, gain_at_equal_error, recommended_steps
 from statistics_of_runs import summarise
+from step_cost import CHOICE
 from workflow_scripts import Implausible, read_json, write_json
 
-SETTING = ("kind", "bond", "ratio", "scheme", "shortcut", "skin", "close_steps", "time_step")
+SETTING = ("kind", "bond", "ratio", "scheme", "precision", "shortcut", "skin", "close_steps", "time_step")
 SHORT_STEP = 2e-8  # below it the solve of the pair is the same at every step, and so is its rate
 AGAIN = "'make bench-accuracy' makes runs anew whose files in results/accuracy are gone"
 
@@ -71,7 +72,7 @@ def with_cost(case, costs):
     Rates are those of the ratio of the paper, and beyond its stability limit of softer ones: what a step costs goes
     with the step and the attraction.
     """
-    own = [row for row in costs if row["bond"] == case["bond"] and row["scheme"] == case["scheme"]]
+    own = [row for row in costs if all(row[key] == case[key] for key in CHOICE)]
     for row in case["steps"]:
         row["processor_seconds"] = 1e-3 / row["time_step"] * 1000 / rate_at(own, row["time_step"])
     return case
@@ -129,6 +130,8 @@ def collect(inputs, params):
         | {"automatic_step": automatic_step(case["bond"], case["ratio"], params.build, params.scene)}
         for case in records["two_body"]
     ]
+    mixed = [case for case in two_body if case["precision"] == "mixed"]
+    two_body = [case for case in two_body if case["precision"] == "double"]
     files = {Path(path).stem: parts[path] for path in inputs.runs}
     powder = {name: study(members, files) for name, members in params.groups.items()}
     recommended = recommended_steps(two_body, powder["time_step"])
@@ -137,6 +140,7 @@ def collect(inputs, params):
         "equal_error": gain_at_equal_error(two_body),
         "step_rates": costs,
         "two_body": two_body,
+        "two_body_mixed": mixed,
         "powder": powder,
     }
 

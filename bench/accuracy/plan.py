@@ -9,7 +9,7 @@ import yaml
 
 PAPER_RATIO = 0.001  # of a group that names none
 SHORTEST_STEP = 5e-9  # of two bodies [s]
-TwoBodyCase = namedtuple("TwoBodyCase", "bond ratio scheme shortest_step")
+TwoBodyCase = namedtuple("TwoBodyCase", "bond ratio scheme precision shortest_step")
 
 
 @dataclass(frozen=True)
@@ -21,6 +21,7 @@ class PowderRun:
     ratio: float
     time_step: float
     scheme: str
+    precision: str
     shortcut: str
     skin: float
     close_steps: float
@@ -42,13 +43,14 @@ class PowderRun:
                 ("seed", self.seed),
             )
         )
-        return f"{self.kind}_{numbers}_{self.scheme}_{self.shortcut}"
+        return f"{self.kind}_{numbers}_{self.scheme}_{self.precision}_{self.shortcut}"
 
     def settings(self):
         """What a run is made from, as plain values."""
         chosen = {
             "cohesion.bond_number": self.bond,
             "cohesion.scheme": self.scheme,
+            "precision": self.precision,
             "stiffness_ratio": self.ratio,
             "time_step": f"{self.time_step!r} s",
             "pair_lists.skin": f"{self.skin!r} dp",
@@ -64,7 +66,7 @@ class PowderRun:
         }
 
 
-KEYS = ("kind", "bond", "ratio", "time_step", "scheme", "shortcut", "skin", "close_steps", "seed")
+KEYS = ("kind", "bond", "ratio", "time_step", "scheme", "precision", "shortcut", "skin", "close_steps", "seed")
 
 
 @dataclass
@@ -81,23 +83,27 @@ class Plan:
 
 
 def two_body_cases(grid):
-    """Every scheme at the ratio of the paper; the default at the others."""
+    """Every scheme at the ratio of the paper, the default at the others; that in every precision."""
     cases = {}
     for ratio in map(float, grid["stiffness_ratios"]):
         schemes = grid["schemes"] if ratio == PAPER_RATIO else grid["schemes"][:1]
         shortest = {float(key): float(value) for key, value in grid["shortest_step"].items()}.get(ratio, SHORTEST_STEP)
-        for bond, scheme in product(grid["bond_numbers"], schemes):
-            cases[f"bond-{bond:g}_ratio-{ratio:g}_{scheme}"] = TwoBodyCase(float(bond), ratio, scheme, shortest)
+        choices = [(schemes[0], precision) for precision in grid["precisions"]]
+        choices += [(scheme, grid["precisions"][0]) for scheme in schemes[1:]]
+        for bond, (scheme, precision) in product(grid["bond_numbers"], choices):
+            case = TwoBodyCase(float(bond), ratio, scheme, precision, shortest)
+            cases[f"bond-{bond:g}_ratio-{ratio:g}_{scheme}_{precision}"] = case
     return cases
 
 
 def runs_of(group, plan):
     """The runs of one group."""
     powder = plan["powder"]
-    for bond, (step, replicates), scheme, shortcut, skin, close_steps in product(
+    for bond, (step, replicates), scheme, precision, shortcut, skin, close_steps in product(
         group["bond_numbers"],
         group["steps"].items(),
         group.get("schemes", ["discrete_gradient"]),
+        group.get("precisions", ["double"]),
         group.get("shortcuts", ["none"]),
         group.get("skins", [0.1]),
         group.get("close_steps", [25]),
@@ -110,6 +116,7 @@ def runs_of(group, plan):
                 ratio=float(group.get("stiffness_ratio", PAPER_RATIO)),
                 time_step=float(step),
                 scheme=scheme,
+                precision=precision,
                 shortcut=shortcut,
                 skin=float(skin),
                 close_steps=float(close_steps),

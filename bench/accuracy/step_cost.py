@@ -1,4 +1,4 @@
-"""Processor seconds of one particle-step of a settled bed, for each Bond number, scheme and time step of two bodies."""
+"""Processor seconds of one particle-step of a settled bed, for each Bond number, scheme, precision and step of two bodies."""
 
 import gzip
 import json
@@ -13,6 +13,7 @@ from workflow_scripts import Clock, solver_version, write_json
 BED = "bench/data/settled-bed.csv.gz"
 SHORTEST_STEP = 2e-8  # what a step costs does not depend on it while pairs need no bracketed solve [s]
 REPEATS = 2
+CHOICE = ("bond", "scheme", "precision")
 
 
 def try_once(params, bed, case, step):
@@ -34,18 +35,18 @@ def rates(params, bed, case, shortest):
         tries = [try_once(params, bed, case, step) for _ in range(REPEATS)]
         if tries[0] is None:
             return
-        yield {"bond": case["bond"], "scheme": case["scheme"], "time_step": step, "rate": max(tries)}
+        yield {key: case[key] for key in CHOICE} | {"time_step": step, "rate": max(tries)}
 
 
 def table(params, bed):
-    """Each Bond number, scheme and step once: at the ratio of the paper, and beyond its stability limit at softer ones."""
+    """Each choice and step once: at the ratio of the paper, and beyond its stability limit at softer ones."""
     rows = []
     for case in sorted(params.cases, key=lambda case: -case["ratio"]):
         if case["ratio"] <= PAPER_RATIO:
-            known = [row["time_step"] for row in rows if (row["bond"], row["scheme"]) == (case["bond"], case["scheme"])]
+            known = [row["time_step"] for row in rows if all(row[key] == case[key] for key in CHOICE)]
             next_step = 10 ** (1 / params.grid["steps_per_decade"])
             rows += rates(params, bed, case, next_step * max(known) if known else SHORTEST_STEP)
-    return sorted(rows, key=lambda row: (row["bond"], row["scheme"], row["time_step"]))
+    return sorted(rows, key=lambda row: (*(row[key] for key in CHOICE), row["time_step"]))
 
 
 if __name__ == "__main__":

@@ -31,6 +31,7 @@ def scene_settings(case, step):
     settings = {
         "cohesion.bond_number": f"{case['bond']:g}",
         "cohesion.scheme": case["scheme"],
+        "precision": case["precision"],
         "stiffness_ratio": case["ratio"],
         "time_step": f"{step!r} s",
     }
@@ -104,5 +105,5 @@ if __name__ == "__main__":
     params = snakemake.params
     clock = Clock()
     rows = table(params.build, params.scene, params.case, params.grid)
-    about = {key: params.case[key] for key in ("bond", "ratio", "scheme")}
+    about = {key: params.case[key] for key in ("bond", "ratio", "scheme", "precision")}
     write_json(snakemake.output[0], about | {"version": solver_version(params.build), "steps": rows} | clock.record())

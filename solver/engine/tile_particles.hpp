@@ -158,6 +158,7 @@ private:
         S::store(kept, rolling.kept(square, S::load(load), mobility, Double(w.time_step)));
         RECOAT_UNROLL
         for (int l = 0; l < group; ++l) {
+            if (!(inverse_inertia[l] > 0)) continue;  // nobody there
             const Row free = spin[l];
             spin[l] = S::multiply(free, S::spread(kept[l]));
             double inertia;

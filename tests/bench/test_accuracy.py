@@ -50,7 +50,7 @@ def test_every_run_has_a_name_of_its_own(read_plan):
 def test_results_are_those_of_the_plan(read_plan, results):
     planned = {name: len(members) for name, members in read_plan.groups.items()}
     assert {name: sum(entry["runs"] for entry in entries) for name, entries in results["powder"].items()} == planned
-    assert len(results["two_body"]) == len(read_plan.two_body)
+    assert len(results["two_body"]) + len(results["two_body_mixed"]) == len(read_plan.two_body)
     assert results["powder_runs"] == len(read_plan.runs)
 
 
@@ -102,7 +102,7 @@ def test_the_pull_off_is_held_to_the_ramp_that_is_measured(modules, bond):
 
 @pytest.mark.parametrize("bond", ("5", "50", "400"))
 def test_the_discrete_gradient_gives_the_pull_off_of_the_ramp(root, build, modules, read_plan, bond):
-    case = read_plan.two_body[f"bond-{bond}_ratio-0.001_discrete_gradient"]._asdict()
+    case = read_plan.two_body[f"bond-{bond}_ratio-0.001_discrete_gradient_double"]._asdict()
     grid = read_plan.grid | {"phases": 1}
     found = modules["two_body"].measure(build, root / "config/scene.yaml", case, 5e-8, grid)
     error = modules["two_body"].errors_of(found, bond, float(grid["ramp"]))["pull-off force"]
@@ -142,8 +142,8 @@ def test_a_step_costs_what_a_bed_does_at_that_very_step(modules):
     """The solve of a pair gets six times dearer between two steps of the grid: no other row will do."""
 
     def cost(steps, known):
-        rows = [{"bond": 5, "scheme": "s", "time_step": step, "rate": rate} for step, rate in known.items()]
-        case = {"bond": 5, "scheme": "s", "ratio": 0.001, "steps": [{"time_step": step} for step in steps]}
+        rows = [{"bond": 5, "scheme": "s", "precision": "double", "time_step": step, "rate": rate} for step, rate in known.items()]
+        case = {"bond": 5, "scheme": "s", "precision": "double", "ratio": 0.001, "steps": [{"time_step": step} for step in steps]}
         return [row["processor_seconds"] for row in modules["collect"].with_cost(case, rows)["steps"]]
 
     known = {5e-9: 4e6, 2e-8: 5e6, 1e-7: 6e6, 1.3e-7: 1e6}
