@@ -22,8 +22,8 @@ struct TileLoops {
             ContactTile<Set, Variant, Partner>{w, partner}(range, near_begin, tally);
         });
     }
-    static void particles(const Work& w, TileRange range, TileTally& tally) {
-        ParticleTile<Set, Variant>(w).advance(range, tally);
+    static void particles(const Work& w, TileRange range, std::size_t near_begin, TileTally& tally) {
+        ParticleTile<Set, Variant>(w).advance(range, near_begin, tally);
     }
     static void near(const Work& w, const Wall* wall, TileRange range) { solve<false>(w, wall, range); }
     static void foresee(const Work& w, TileRange range) { ParticleTile<Set, Variant>(w).foresee(range); }

@@ -22,6 +22,8 @@ public:
         lend_history(s.contacts, work);
         if constexpr (Variant::cohesive) {
             near_contact_.resize(s.contacts.size());
+            near_particle_.resize(s.awake);
+            work.near_particles = near_particle_.data();
             for (std::vector<Real>& array : near_) array.resize(s.contacts.size());
             work.near = {near_contact_.data(), near_[0].data(), near_[1].data(), near_[2].data(), near_[3].data()};
         }
@@ -115,7 +117,7 @@ private:
     std::size_t moved_ = 0;  ///< particles that were awake the last time
     std::vector<float> motion_;
     std::array<std::vector<float>, 4> single_;  ///< slip and attraction
-    std::vector<std::int32_t> near_contact_, count_;
+    std::vector<std::int32_t> near_contact_, near_particle_, count_;
     std::array<std::vector<Real>, 4> near_;
 };
 

@@ -26,25 +26,27 @@ struct ParticleTile {
           step(thrice(w.time_step)),
           half_step(thrice(0.5 * w.time_step)) {}
 
-    /// From the sums to velocities and spins; positions of particles without near contacts. Clears the sums.
-    RECOAT_HD void advance(TileRange range, TileTally& tally) const {
+    /// From the sums to velocities and spins; positions of particles without near contacts, a list of the others from
+    /// place `near_begin` on. Clears the sums.
+    RECOAT_HD void advance(TileRange range, std::size_t near_begin, TileTally& tally) const {
         if (range.begin == range.end) return;
         Row lost = S::spread(0);
         Fastest fastest;
         std::size_t i = range.begin;
         for (; i + group <= range.end; i += group) together<true>(i, group, lost, fastest);
         if (i < range.end) together<false>(i, static_cast<int>(range.end - i), lost, fastest);
+        if constexpr (Variant::cohesive) list_near(range, near_begin, tally);
         w.lost_rolling[range.begin] += S::sum3(lost);
         fastest.tell(tally);
     }
 
-    /// Mean velocities of the step as the impulses found so far make them, of particles with near contacts; in the
-    /// place of the velocities that contacts see.
+    /// Mean velocities of the step as the impulses found so far make them, of the particles at the places `range` of
+    /// the list of those with near contacts; in the place of the velocities that contacts see.
     RECOAT_HD void foresee(TileRange range) const {
         if constexpr (Variant::cohesive) {
-            for (std::size_t i = range.begin; i < range.end; ++i) {
+            for (std::size_t n = range.begin; n < range.end; ++n) {
+                const auto i = static_cast<std::size_t>(w.near_particles[n]);
                 const double* sum = sums(i);
-                if (!(sum[7] > 0)) continue;
                 S::store(w.contact_velocity + 4 * i,
                          S::multiply_add(S::row(sum + Sum::attraction), thrice(0.5 * inverse_mass(i)),
                                          S::row(w.velocity + 4 * i)));
@@ -52,13 +54,13 @@ struct ParticleTile {
         }
     }
 
-    /// Impulses of the near contacts, and the positions that were left out.
+    /// Impulses of the near contacts of such particles, and the positions that were left out.
     RECOAT_HD void finish(TileRange range, TileTally& tally) const {
         if constexpr (Variant::cohesive) {
             const bool half = w.impulse.index() < 3;
-            for (std::size_t i = range.begin; i < range.end; ++i) {
+            for (std::size_t n = range.begin; n < range.end; ++n) {
+                const auto i = static_cast<std::size_t>(w.near_particles[n]);
                 double* sum = sums(i);
-                if (!(sum[7] > 0)) continue;
                 sum[7] = 0;
                 const Row impulse = S::multiply(S::row(sum + Sum::attraction), thrice(inverse_mass(i)));
                 S::store(sum + Sum::attraction, S::spread(0));
@@ -68,6 +70,16 @@ struct ParticleTile {
     }
 
 private:
+    /// Without a branch: whether a particle is near is hard to foresee.
+    RECOAT_HD void list_near(TileRange range, std::size_t near_begin, TileTally& tally) const {
+        std::size_t place = near_begin;
+        for (std::size_t i = range.begin; i < range.end; ++i) {
+            w.near_particles[place] = static_cast<std::int32_t>(i);
+            place += sums(i)[7] > 0 ? 1 : 0;
+        }
+        tally.near_particles = place - near_begin;
+    }
+
     static RECOAT_HD Row thrice(double x) { return S::row_of(x, x, x, 0); }
     RECOAT_HD double* sums(std::size_t i) const { return w.sums + Sum::size * i; }
     RECOAT_HD double radius(std::size_t i) const { return w.position[4 * i + 3]; }

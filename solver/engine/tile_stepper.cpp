@@ -102,6 +102,7 @@ private:
         const auto inner = [&](std::size_t p) { return parts[p].first_before >= from; };
         for (std::size_t p = from; p < to; ++p) {
             std::fill(parts[p].near.begin(), parts[p].near.end(), 0);
+            parts[p].near_particles = 0;
             over_tiles(parts[p], [&](TileRange tile) {
                 touch(p, tile);
                 if (inner(p)) advance(p, tile);
@@ -117,7 +118,7 @@ private:
                 barrier();
                 for (std::size_t p = from; p < to; ++p) {
                     absorb_near(p);
-                    kernels_.foresee(work_, parts[p].particles);
+                    kernels_.foresee(work_, near_particles(parts[p]));
                 }
                 barrier();
                 for (std::size_t p = from; p < to; ++p) attract(p, kernels_.correct);
@@ -125,7 +126,7 @@ private:
             barrier();
             for (std::size_t p = from; p < to; ++p) {
                 absorb_near(p);
-                kernels_.finish(work_, parts[p].particles, tallies_[p]);
+                kernels_.finish(work_, near_particles(parts[p]), tallies_[p]);
             }
         }
     }
@@ -158,21 +159,21 @@ private:
     }
 
     void advance(std::size_t p, TileRange tile) {
-        absorb(p, tile, [](const TilePart&) { return true; });
-        kernels_.particles(work_, tile, tallies_[p]);
+        TilePart& part = plan_.parts()[p];
+        for (std::size_t q = part.first_before; q < p; ++q) absorb<0, numbers>(plan_.parts()[q], tile);
+        kernels_.particles(work_, tile, part.particles.begin + part.near_particles, tallies_[p]);
+        part.near_particles += tallies_[p].near_particles;
     }
 
-    /// Adds what earlier parts that `has` anything have added up for the particles of `tile`, in the order of the
-    /// parts.
-    template <class Has>
-    void absorb(std::size_t p, TileRange tile, const Has& has) {
-        for (std::size_t q = plan_.parts()[p].first_before; q < p; ++q) {
-            TilePart& other = plan_.parts()[q];
-            const std::size_t from = std::max(tile.begin, other.particles.end), to = std::min(tile.end, other.beyond);
-            if (from >= to || !has(other)) continue;
-            double* sums = work_.sums + numbers * from;
-            double* more = other.sums.data() + numbers * (from - other.particles.end);
-            for (std::size_t k = 0; k < numbers * (to - from); ++k) {
+    /// Adds `count` numbers from the one at `first` on of what an earlier part has added up for the particles of `tile`.
+    template <int first, int count>
+    void absorb(TilePart& earlier, TileRange tile) {
+        const auto begin = earlier.reached.begin();
+        auto at = std::lower_bound(begin, earlier.reached.end(), static_cast<std::int32_t>(tile.begin));
+        double* more = earlier.sums.data() + numbers * (at - begin) + first;
+        for (; at != earlier.reached.end() && static_cast<std::size_t>(*at) < tile.end; ++at, more += numbers) {
+            double* sums = work_.sums + numbers * static_cast<std::size_t>(*at) + first;
+            for (int k = 0; k < count; ++k) {
                 sums[k] += more[k];
                 more[k] = 0;
             }
@@ -181,7 +182,16 @@ private:
 
     /// What the attraction of near contacts has added since.
     void absorb_near(std::size_t p) {
-        absorb(p, plan_.parts()[p].particles, [](const TilePart& other) { return other.any_near(); });
+        const TilePart& part = plan_.parts()[p];
+        for (std::size_t q = part.first_before; q < p; ++q) {
+            TilePart& earlier = plan_.parts()[q];
+            if (earlier.any_near()) absorb<SumLayout<Variant>::attraction, 4>(earlier, part.particles);
+        }
+    }
+
+    /// Its particles with near contacts, as the loops have listed them.
+    [[nodiscard]] static TileRange near_particles(const TilePart& part) {
+        return {part.particles.begin, part.particles.begin + part.near_particles};
     }
 
     void attract(std::size_t p, decltype(TileKernels<Variant>::near) solve) {

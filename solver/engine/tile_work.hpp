@@ -67,6 +67,7 @@ struct TileWork {
     Real *slip_x, *slip_y, *slip_z, *last_attraction;
     double *lost_normal, *lost_tangential, *wall_work;  ///< a stretch of contacts books at its first place
     NearContacts<Real> near;
+    std::int32_t* near_particles;  ///< those of near contacts, part by part
     const std::int32_t* contact_count;  ///< [N] listed contacts of each particle, for relative rolling
 };
 
@@ -75,6 +76,7 @@ struct TileTally {
     double largest_overlap = 0;  ///< [m]
     double largest_square = 0;   ///< squared speed; infinity when one is not finite
     std::size_t near = 0;        ///< contacts whose attraction has to be solved for
+    std::size_t near_particles = 0;
 };
 
 /// The loops for one instruction set. `wall` is null for pairs.
@@ -84,15 +86,16 @@ struct TileKernels {
 
     /// Forces of the contacts of `range`; near contacts are listed from place `range.begin` + tally.near on.
     void (*contacts)(const Work&, const Wall* wall, TileRange range, std::size_t near_begin, TileTally&);
-    /// Velocities of the particles of `range`, and positions of those without near contacts.
-    void (*particles)(const Work&, TileRange range, TileTally&);
+    /// Velocities of the particles of `range`, and positions of those without near contacts; the others are listed from
+    /// place `near_begin` of near_particles on.
+    void (*particles)(const Work&, TileRange range, std::size_t near_begin, TileTally&);
     /// Attraction of the listed near contacts.
     void (*near)(const Work&, const Wall* wall, TileRange range);
-    /// Mean velocities of the step of the particles with near contacts, by the impulses found so far.
+    /// Mean velocities of the step of the particles listed in `range`, by the impulses found so far.
     void (*foresee)(const Work&, TileRange range);
     /// Attraction of the near contacts again, from those.
     void (*correct)(const Work&, const Wall* wall, TileRange range);
-    /// Positions of the particles with near contacts.
+    /// Positions of the particles listed in `range`.
     void (*finish)(const Work&, TileRange range, TileTally&);
 };
 

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "solver/engine/tile_plan.hpp"
@@ -32,8 +34,9 @@ TEST(TilePlan, DoesNotReachOutForSleepers) {
         const TilePart& part = plan.parts()[p];
         EXPECT_EQ(part.particles.begin, end);
         end = part.particles.end;
-        EXPECT_EQ(part.beyond, std::min(end + 1, awake)) << "its last particle reaches the next part";
-        EXPECT_EQ(part.sums.size(), numbers * (part.beyond - end + 1)) << "and one place for all sleepers";
+        const bool is_last = p + 1 == plan.parts().size();
+        EXPECT_EQ(part.reached.size(), is_last ? 0u : 1u) << "its last particle reaches the next part";
+        EXPECT_EQ(part.sums.size(), numbers * (part.reached.size() + 1)) << "and one place for all sleepers";
         EXPECT_EQ(part.first_before, p == 0 ? 0 : p - 1);
     }
     EXPECT_EQ(end, awake);
@@ -48,6 +51,34 @@ TEST(TilePlan, DoesNotReachOutForSleepers) {
     EXPECT_EQ(place(last + 2), own + 1) << "... and another";
     EXPECT_EQ(place(1), own + 1);
     EXPECT_EQ(first.sums.data(), plan.sums().data() + numbers * own);
+}
+
+/// Every particle with one that is `step` places later.
+Snapshot far_partners(std::size_t step) {
+    Snapshot s;
+    s.particles.resize(awake);
+    s.awake = awake;
+    s.contacts.offsets.push_back(0);
+    for (std::size_t i = 0; i < awake; ++i) {
+        if (i + step < awake) s.contacts.second.push_back(static_cast<std::int32_t>(i + step));
+        s.contacts.offsets.push_back(static_cast<std::int32_t>(s.contacts.second.size()));
+    }
+    return s;
+}
+
+// Only what is reached has a place, however far away it is.
+TEST(TilePlan, HasPlacesForThoseReachedOnly) {
+    TilePlan plan;
+    const std::size_t step = awake - 10;
+    plan.make(far_partners(step), numbers);
+    const TilePart& first = plan.parts().front();
+    ASSERT_EQ(first.reached.size(), 10u);
+    EXPECT_TRUE(std::is_sorted(first.reached.begin(), first.reached.end()));
+    for (std::size_t i = 0; i < 10; ++i) {
+        EXPECT_EQ(first.reached[i], static_cast<std::int32_t>(i + step));
+        EXPECT_EQ(plan.second_sums()[i], static_cast<std::int32_t>(awake + i));
+    }
+    EXPECT_EQ(plan.parts().back().first_before, 0u);
 }
 
 }  // namespace
