@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <type_traits>
 #include <vector>
 
 #include "solver/engine/row.hpp"
@@ -85,10 +86,9 @@ struct ContactArrays {
 
     /// Gives back what resize_scratch() and the lists of contacts of each particle take.
     void drop_scratch() {
-        for (auto* array : {&normal_x, &normal_y, &normal_z, &separation}) *array = {};
-        force = {};
-        rolling = impulse = {};
-        incidence_begin = incidence = {};
+        // `= {}` would assign an empty list, for which a vector keeps its memory.
+        const auto drop = [](auto&... arrays) { ((arrays = std::decay_t<decltype(arrays)>()), ...); };
+        drop(normal_x, normal_y, normal_z, separation, force, rolling, impulse, incidence_begin, incidence);
     }
 
     [[nodiscard]] ContactView view() {

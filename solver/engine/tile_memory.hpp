@@ -2,12 +2,31 @@
 
 #include <algorithm>
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "solver/engine/snapshot.hpp"
 #include "solver/engine/tile_work.hpp"
 
 namespace recoat {
+
+/// An array that is written before it is read: what nobody writes to takes no memory.
+template <class Number>
+class Sheet {
+public:
+    /// For `size` numbers, whatever they are.
+    Number* room(std::size_t size) {
+        if (size > size_) {
+            numbers_ = std::make_unique_for_overwrite<Number[]>(size);
+            size_ = size;
+        }
+        return numbers_.get();
+    }
+
+private:
+    std::unique_ptr<Number[]> numbers_;
+    std::size_t size_ = 0;
+};
 
 /// Lends the arrays of a snapshot to the loops of a step, and those that they need beside them. What costs more than
 /// the awake particles is done only where somebody has fallen asleep.
@@ -21,11 +40,9 @@ public:
         lend_particles(s, work);
         lend_history(s.contacts, work);
         if constexpr (Variant::cohesive) {
-            near_contact_.resize(s.contacts.size());
-            near_particle_.resize(s.awake);
-            work.near_particles = near_particle_.data();
-            for (std::vector<Real>& array : near_) array.resize(s.contacts.size());
-            work.near = {near_contact_.data(), near_[0].data(), near_[1].data(), near_[2].data(), near_[3].data()};
+            const std::size_t n = s.contacts.size();
+            work.near_particles = near_particle_.room(s.awake);
+            work.near = {near_contact_.room(n), near_[0].room(n), near_[1].room(n), near_[2].room(n), near_[3].room(n)};
         }
         if constexpr (Variant::relative_rolling) count_contacts(s, work);
         moved_ = s.awake;
@@ -117,8 +134,9 @@ private:
     std::size_t moved_ = 0;  ///< particles that were awake the last time
     std::vector<float> motion_;
     std::array<std::vector<float>, 4> single_;  ///< slip and attraction
-    std::vector<std::int32_t> near_contact_, near_particle_, count_;
-    std::array<std::vector<Real>, 4> near_;
+    std::vector<std::int32_t> count_;
+    Sheet<std::int32_t> near_contact_, near_particle_;
+    std::array<Sheet<Real>, 4> near_;
 };
 
 }  // namespace recoat
