@@ -1,4 +1,4 @@
-"""What other choices cost and change: stiffness ratio, scheme, stages cut short, looks ahead of the pair lists."""
+"""What other choices cost and change: stiffness ratio, scheme, precision, stages cut short, looks ahead of the pair lists."""
 
 import numpy
 from matplotlib.ticker import NullLocator
@@ -96,6 +96,14 @@ def shortcuts(axes, study, kind, names):
     compare(axes, entries, entries[0], names, labels, f"{kind}, Bo = {entries[0]['bond']:g}, ends of stages")
 
 
+def precisions(axes, study, kind, bond, names):
+    """Mixed precision about double."""
+    entries = [e for e in study if (e["kind"], e["bond"]) == (kind, bond) and "quantities" in e]
+    entries.sort(key=lambda entry: entry["precision"])
+    labels = [entry["precision"] for entry in entries]
+    compare(axes, entries, entries[0], names, labels, f"{kind}, Bo = {bond:g}, by precision")
+
+
 def looks(axes, study, kind):
     """Processor time of a particle-step over each of the two looks ahead of the pair lists."""
     entries = [entry for entry in study if entry["kind"] == kind]
@@ -128,6 +136,9 @@ def panels(powder):
     yield lambda axes: ratios(axes, study, "layer", 50.0, LAYER)
     for kind, name in SCHEMES:
         yield lambda axes, kind=kind, name=name: schemes(axes, powder["scheme"], kind, name)
+    yield lambda axes: precisions(axes, powder["precision"], "bed", 50.0, BED)
+    yield lambda axes: precisions(axes, powder["precision"], "bed", 400.0, BED)
+    yield lambda axes: precisions(axes, powder["precision"], "layer", 100.0, LAYER)
     yield lambda axes: shortcuts(axes, powder["shortcut"], "bed", BED)
     yield lambda axes: shortcuts(axes, powder["shortcut"], "layer", LAYER)
     yield lambda axes: looks(axes, powder["skin"], "bed")
