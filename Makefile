@@ -17,8 +17,10 @@ programs: setup
 build: setup
 	@$(CONFIGURE) && $(COMPILE)
 
+# The study of config/GRID.yaml: reduced (minutes), workstation (days), paper. Stopped and started again it goes on.
+GRID ?= reduced
 reproduce: programs
-	@snakemake --configfile config/reduced.yaml --cores all && echo "Report: results/reduced/report.html" && ls results/reduced/figures/*
+	@snakemake --configfile config/$(GRID).yaml --cores all $(ARGUMENTS) && echo "Report: results/$(GRID)/report.html" && ls results/$(GRID)/figures/*
 
 test: build
 	@ctest --preset $(PRESET) --label-exclude slow --parallel $(CORES) && pytest -q -m "not slow" tests && tests/lint.sh
