@@ -34,7 +34,8 @@ double worst(const nlohmann::json& errors, const std::string& quantity) {
 // docs/accuracy.md: nothing that was measured is worse than what is said, at any ratio.
 TEST(StepErrors, are_those_of_two_bodies) {
     int steps = 0;
-    for (const auto& one : accuracy().at("two_body")) {
+    const nlohmann::json cases = accuracy().at("two_body");
+    for (const auto& one : cases) {
         if (one.at("scheme") != "discrete_gradient" || one.at("ratio") > 0.5) continue;
         const double bond = one.at("bond"), ratio = one.at("ratio");
         for (const auto& row : one.at("steps")) {
@@ -53,7 +54,8 @@ TEST(StepErrors, are_those_of_two_bodies) {
 
 TEST(StepErrors, are_those_of_beds_and_layers) {
     int rows = 0;
-    for (const auto& row : accuracy().at("recommended").at("powder"))
+    const nlohmann::json powder = accuracy().at("recommended").at("powder");
+    for (const auto& row : powder)
         for (const auto& step : row.at("steps")) {
             const std::optional<StepErrors> found = said(row.at("bond"), 0.001, step.at("time_step"));
             if (!found) continue;
