@@ -11,7 +11,8 @@ rule metrics_table:
         states=case_files("spread.vtkhdf", LAYERS),
         script=script_file("metrics_table"),
         modules=[
-            script_file(name) for name in ("layers", "pore_metrics", "resampling", "states", "reporting")
+            script_file(name)
+            for name in ("layers", "extremes", "pore_metrics", "resampling", "states", "reporting", "verdicts", "measured")
         ],
     output:
         grid_file("tables/metrics.csv"),
@@ -104,9 +105,13 @@ rule comparison_table:
     input:
         metrics=grid_file("tables/metrics.csv"),
         beds=grid_file("tables/beds.csv"),
+        runtime=grid_file("tables/runtime.csv"),
         derived=case_files("derived.json", REFERENCE_LAYERS),
         script=script_file("comparison_table"),
-        modules=[script_file(name) for name in ("statements", "pore_statements", "pore_metrics", "verdicts", "reporting")],
+        modules=[
+            script_file(name)
+            for name in ("statements", "pore_statements", "pore_metrics", "extremes", "verdicts", "measured", "reporting")
+        ],
     output:
         grid_file("tables/comparison.csv"),
     params:

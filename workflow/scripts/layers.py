@@ -139,6 +139,14 @@ def by_bond(layers):
     return {bond: [layer for layer in layers if layer.bond == bond] for bond in bonds}
 
 
+def by_case(layers):
+    """Layers grouped by Bond number and stiffness ratio; each group holds the seeds."""
+    groups = {}
+    for layer in layers:
+        groups.setdefault((layer.bond, layer.ratio), []).append(layer)
+    return groups
+
+
 def column_density(packing):
     """Mean over the columns of a packed bed; rows are places along the period."""
     return packing.mean()

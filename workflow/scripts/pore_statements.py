@@ -7,7 +7,9 @@ steeper the slope, the narrower the range.
 import math
 
 from pore_metrics import FEWEST, GROUPS
-from verdicts import AGREES, DIFFERS, NOT_TESTABLE, between, missing, only, trend, within, written
+from extremes import extreme
+from measured import written
+from verdicts import UNKNOWN, Judgement, all_of, between, decided, difference, missing, only, trend, within
 
 RISE, FALL = 1, -1
 
@@ -15,15 +17,6 @@ RISE, FALL = 1, -1
 def below(highest):
     """The grid's Bond numbers below one."""
     return lambda grid: [bond for bond in grid.bonds() if bond < highest]
-
-
-def largest_density_pore(grid):
-    """An extreme value of one layer of a stated size; a smaller layer cannot test it."""
-    measured = grid.measured("pore_largest_dp", 0)
-    if measured is None:
-        return missing([0])
-    share = grid.measured("pore_largest_area", 0)
-    return f"{measured.value:.3g} d_p, {100 * share.value:.3g} % of the area", NOT_TESTABLE
 
 
 def dominant(name, bond, group, groups):
@@ -37,10 +30,9 @@ def dominant(name, bond, group, groups):
         others = [share for k, share in shares.items() if k != group]
         mine = shares[group]
         if any(math.isnan(share.value) for share in shares.values()):
-            return f"Bo {bond:g}: fewer than {FEWEST} pores", NOT_TESTABLE
-        if all(mine.lower > other.upper for other in others):
-            return f"Bo {bond:g}: {text}", AGREES
-        return f"Bo {bond:g}: {text}", DIFFERS if any(mine.upper < other.lower for other in others) else NOT_TESTABLE
+            return Judgement(f"Bo {bond:g}: fewer than {FEWEST} pores", UNKNOWN, math.inf, (bond,))
+        parts = [difference(share, shares[group]) for k, share in shares.items() if k != group]
+        return Judgement(f"Bo {bond:g}: {text}", *all_of(parts), (bond,))
 
     return evaluate
 
@@ -52,12 +44,12 @@ def alike(name, bonds, tolerance):
         values = {bond: grid.measured(name, bond) for bond in bonds(grid)}
         values = {bond: value for bond, value in values.items() if math.isfinite(value.value)}
         if len(values) < 2:
-            return "fewer than two such cases", NOT_TESTABLE
+            return Judgement("fewer than two such cases", UNKNOWN)
         text = "; ".join(f"Bo {bond:g}: {written(value)}" for bond, value in values.items())
-        if max(v.value for v in values.values()) - min(v.value for v in values.values()) <= tolerance:
-            return text, AGREES
-        apart = max(v.lower for v in values.values()) - min(v.upper for v in values.values())
-        return text, DIFFERS if apart > tolerance else NOT_TESTABLE
+        low, high = (choose(values.values(), key=lambda measured: measured.value) for choose in (min, max))
+        outward, inward = math.hypot(low.below(), high.above()), math.hypot(low.above(), high.below())
+        room = tolerance - (high.value - low.value)
+        return Judgement(text, *decided(room, outward if room > 0 else inward), tuple(values))
 
     return evaluate
 
@@ -95,7 +87,11 @@ PORE_STATEMENTS = [
         "Chamber sizes vary more at Bo = 0 than at Bo = 50 (interquartile range)",
         trend("chamber_iqr_dp", [0, 50], [FALL], 1, " d_p"),
     ),
-    ("15a", "Bo = 0: largest density pore 24 d_p (one layer of 390 by 40 d_p; an extreme value)", largest_density_pore),
+    (
+        "15a",
+        "Bo = 0: largest density pore 24 d_p (one layer of 390 by 40 d_p)",
+        extreme("pore_largest_dp", 0, 24, " d_p"),
+    ),
     (
         "15a",
         "Slope of the distribution of density pores largest at Bo = 50 (interquartile range smallest)",

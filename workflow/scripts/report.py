@@ -12,7 +12,7 @@ from markupsafe import Markup
 
 from readable import duration, quantity
 from reporting import describe, logged, read_json, write_text
-from verdicts import AGREES, DIFFERS, NOT_TESTABLE
+from verdicts import FAILS, HOLDS, UNKNOWN
 
 PAPER_PARTICLES = 100_000
 PAPER = (
@@ -143,10 +143,10 @@ def layer_rows(metrics):
 
 
 def verdict_counts(comparison):
-    """How many statements there are of each verdict, and those that differ."""
+    """How many statements there are of each verdict, and those that do not hold."""
     found = comparison["verdict"].value_counts()
-    counts = {verdict: int(found.get(verdict, 0)) for verdict in (AGREES, DIFFERS, NOT_TESTABLE)}
-    return {"all": len(comparison), "counts": counts, "differing": comparison[comparison["verdict"] == DIFFERS]}
+    counts = {verdict: int(found.get(verdict, 0)) for verdict in (HOLDS, FAILS, UNKNOWN)}
+    return {"all": len(comparison), "counts": counts, "differing": comparison[comparison["verdict"] == FAILS]}
 
 
 def check_table(cases, checks):
@@ -170,7 +170,7 @@ def smallness(particles):
         return ""
     return (
         f"The paper has {PAPER_PARTICLES} particles and 390 particle diameters of layer: what a smaller grid cannot "
-        'settle is called "not testable" below.'
+        'settle "cannot be told", and the table says what it would take.'
     )
 
 

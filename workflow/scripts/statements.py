@@ -2,8 +2,10 @@
 
 import math
 
+from extremes import extreme
+from measured import Grid
 from pore_statements import PORE_STATEMENTS
-from verdicts import AGREES, DIFFERS, NOT_TESTABLE, Grid, between, missing, only, trend, within
+from verdicts import FAILS, HOLDS, UNKNOWN, Judgement, all_of, between, decided, missing, only, trend, within
 
 RISE, FALL = 1, -1
 
@@ -11,12 +13,12 @@ LAYER_STATEMENTS = [
     (
         "5",
         "Bo = 0: local packing density reaches 0.3 (read as 0.25 to 0.35)",
-        within("packing_largest", only(0), 0.25, 0.35, 1, ""),
+        within("packing_largest", only(0), 0.25, 0.35, 1, "", extreme=True),
     ),
     (
         "6",
         "Coordination number below 5 for every Bo",
-        within("largest_coordination_number", between(0), upper=4, scale=1, unit=""),
+        within("largest_coordination_number", between(0), upper=4, scale=1, unit="", extreme=True),
     ),
     (
         "6",
@@ -51,7 +53,11 @@ LAYER_STATEMENTS = [
         trend("packing_iqr_over_median", [5, 50, 200], [FALL, RISE], 1, ""),
     ),
     ("8b", "IQR / median: rises from Bo 200 to 400", trend("packing_iqr_over_median", [200, 400], [RISE], 1, "")),
-    ("10", "Bo = 0: largest cluster 136 particles (one layer of 390 by 40 d_p; an extreme value)", None),
+    (
+        "10",
+        "Bo = 0: largest cluster 136 particles (one layer of 390 by 40 d_p)",
+        extreme("largest_cluster", 0, 136, " particles"),
+    ),
     ("10a", "Share of particles in clusters of 2 and 3: more from Bo 0 to 1", trend("cluster_2_to_3", [0, 1], [RISE])),
     ("10a", "Share of particles in clusters above 8: less from Bo 0 to 1", trend("cluster_above_8", [0, 1], [FALL])),
     (
@@ -90,7 +96,7 @@ LAYER_STATEMENTS = [
     (
         "12",
         "Surface height never above the clearance of 1.5 d_p",
-        within("height_largest_dp", between(0), upper=1.5, scale=1, unit=" d_p"),
+        within("height_largest_dp", between(0), upper=1.5, scale=1, unit=" d_p", extreme=True),
     ),
     ("13", "Bo ≤ 1: roughness falls with Bo, towards 0.12 d_p", trend("roughness_dp", [0, 1], [FALL], 1, " d_p")),
     (
@@ -103,29 +109,29 @@ LAYER_STATEMENTS = [
 ]
 
 
-def largest_cluster(grid):
-    """The paper's largest cluster belongs to one layer of a stated size; a smaller layer cannot test it."""
-    measured = grid.measured("largest_cluster", 0)
-    if measured is None:
-        return missing([0])
-    particles = grid.measured("particles", 0).value
-    return f"{measured.value:g} of {particles:g} particles", NOT_TESTABLE
+def alike_at_all_ratios(rows, name, bound, what):
+    """The values of a metric at several stiffness ratios differ from that of the stiffest by no more than a share."""
+    by_ratio = Grid(rows.assign(bond_number=rows["stiffness_ratio"]))
+    ratios = by_ratio.bonds()
+    if len(ratios) < 2:
+        return Judgement(f"no {what} at several stiffness ratios", UNKNOWN)
+    *others, reference = (by_ratio.measured(name, ratio) for ratio in ratios)
+    if not reference.value > 0:
+        return Judgement(f"ratio {ratios[-1]:g}: {reference.value:.3g}", UNKNOWN, math.inf)
+    parts, found = [], []
+    for ratio, value in zip(ratios, others):
+        share = value.value / reference.value - 1
+        sides = (value.below(), reference.above()) if share < 0 else (value.above(), reference.below())
+        uncertainty = math.hypot(*sides) / reference.value
+        parts.append(decided(bound - abs(share), uncertainty))
+        found.append(f"ratio {ratio:g}: {100 * share:+.2g} ± {100 * uncertainty:.2g} %")
+    return Judgement(f"{'; '.join(found)} of ratio {ratios[-1]:g}", *all_of(parts), tuple(set(rows["bond"])))
 
 
 def bed_independence(beds, bond):
     """Global packing densities at all stiffness ratios within 0.2 % of the stiffest one [paper, figure 2]."""
-    rows = Grid(beds[beds["bond_number"] == bond].assign(bond_number=lambda table: table["stiffness_ratio"]))
-    ratios = rows.bonds()
-    if len(ratios) < 2:
-        return f"no beds of Bo = {bond:g} at several stiffness ratios", NOT_TESTABLE
-    values = [rows.measured("packing_density", ratio) for ratio in ratios]
-    reference = values[-1].value
-    difference = max(abs(value.value / reference - 1) for value in values)
-    uncertainty = max(0.5 * (value.upper - value.lower) / reference for value in values)
-    text = f"largest difference {100 * difference:.2g} % of ratio {ratios[-1]:g}, uncertainty {100 * uncertainty:.2g} %"
-    if uncertainty > 0.002:
-        return text, NOT_TESTABLE if difference <= 0.002 + 2 * uncertainty else DIFFERS
-    return text, AGREES if difference <= 0.002 else DIFFERS
+    rows = beds[beds["bond_number"] == bond].assign(bond=bond)
+    return alike_at_all_ratios(rows, "packing_density", 0.002, f"beds of Bo = {bond:g}")
 
 
 INERTIAL_LENGTHS = {0.0: 8.49, 1.0: 4.24, 5.0: 1.41, 50.0: 0.16, 200.0: 0.04}  # printed with two decimals, cut off
@@ -137,31 +143,29 @@ def inertial_lengths(derived):
     for bond, printed in INERTIAL_LENGTHS.items():
         statement = f"Bo = {bond:g}: inertial length {printed:g} d_p (cut off after two decimals)"
         if bond not in derived:
-            rows.append(("section 5.5", statement, *missing([bond])))
+            rows.append(("section 5.5", statement, missing([bond])))
         else:
             same = math.floor(100 * derived[bond] + 1e-9) == round(100 * printed)
-            rows.append(("section 5.5", statement, f"{derived[bond]:.4g} d_p", AGREES if same else DIFFERS))
+            rows.append(("section 5.5", statement, Judgement(f"{derived[bond]:.4g} d_p", HOLDS if same else FAILS)))
     return rows
 
 
 def evaluate(metrics, beds, reference_ratio, derived):
-    """Rows of the comparison: figure, what the paper says, what the grid gives, verdict."""
+    """Rows of the comparison: figure, what the paper says, the judgement."""
     grid = Grid(metrics[metrics["stiffness_ratio"] == reference_ratio])
     packed = Grid(beds[beds["stiffness_ratio"] == reference_ratio])
     rows = [
         (
             "2",
             f"Bo = {bond:g}: global packing density within 0.2 % at every stiffness ratio",
-            *bed_independence(beds, bond),
+            bed_independence(beds, bond),
         )
         for bond in (5, 50)
     ]
     looser = trend("packing_density", [5, 50], [FALL], 1, "")
-    rows.append(("2", "Packed bed looser at Bo = 50 than at Bo = 5", *looser(packed)))
+    rows.append(("2", "Packed bed looser at Bo = 50 than at Bo = 5", looser(packed)))
     rows += ratio_statements(metrics)
-    for figure, statement, condition in LAYER_STATEMENTS:
-        rows.append((figure, statement, *(condition or largest_cluster)(grid)))
-    rows += [(figure, statement, *condition(grid)) for figure, statement, condition in PORE_STATEMENTS]
+    rows += [(figure, statement, condition(grid)) for figure, statement, condition in LAYER_STATEMENTS + PORE_STATEMENTS]
     return rows + inertial_lengths(derived)
 
 
@@ -169,23 +173,10 @@ def ratio_statements(metrics):
     """Medians of the local packing density at all stiffness ratios within the paper's bounds [figure 4]."""
     rows = []
     for bond, bound in ((5, 0.036), (50, 0.053)):
-        layers = Grid(
-            metrics[metrics["bond_number"] == bond].assign(bond_number=lambda table: table["stiffness_ratio"])
-        )
+        layers = metrics[metrics["bond_number"] == bond].assign(bond=bond)
         statement = (
             f"Bo = {bond:g}: medians of the local packing density differ by less than {100 * bound:g} % between ratios"
         )
-        ratios = layers.bonds()
-        if len(ratios) < 2:
-            rows.append(("4", statement, f"no layers of Bo = {bond:g} at several stiffness ratios", NOT_TESTABLE))
-            continue
-        values = [layers.measured("packing_median", ratio) for ratio in ratios]
-        smallest, largest = min(v.value for v in values), max(v.value for v in values)
-        difference = largest / smallest - 1 if smallest > 0 else math.inf
-        uncertainty = max(0.5 * (v.upper - v.lower) for v in values) / max(smallest, 1e-12)
-        text = f"{100 * difference:.2g} %, uncertainty {100 * uncertainty:.2g} %"
-        if difference <= bound:
-            rows.append(("4", statement, text, AGREES if uncertainty <= bound else NOT_TESTABLE))
-        else:
-            rows.append(("4", statement, text, DIFFERS if difference > bound + 2 * uncertainty else NOT_TESTABLE))
+        found = alike_at_all_ratios(layers, "packing_median", bound, f"layers of Bo = {bond:g}")
+        rows.append(("4", statement, found))
     return rows

@@ -1,73 +1,64 @@
 """Conditions that a table of metrics can be held against: trends over the Bond number, bounds.
 
-A verdict is "agrees", "differs" or "not testable": the last where the grid lacks the cases, or where the difference is
-smaller than the uncertainty of the runs.
+A statement holds, does not hold, or cannot be told: where the grid lacks the cases, or where the interval of 95 % reaches
+over the mark that decides. Then the judgement says how much more layer would decide it if the value stayed as it is,
+for intervals narrow with the root of the layer's area, or of the number of layers.
 """
 
 import math
 from dataclasses import dataclass
 from itertools import pairwise
 
-AGREES, DIFFERS, NOT_TESTABLE = "agrees", "differs", "not testable"
+from measured import written
+
+HOLDS, FAILS, UNKNOWN = "holds", "does not hold", "cannot be told"
 
 
-@dataclass
-class Measured:
-    """A value with its interval: of the bootstrap for one run, of the runs themselves for several seeds."""
+@dataclass(frozen=True)
+class Judgement:
+    """What was found, the verdict, and where it cannot be told how many times the layers of `bonds` it would take:
+    infinite where no difference is seen at all, 0 where no size of layer tells (see `found`)."""
 
-    value: float
-    lower: float
-    upper: float
-
-
-class Grid:
-    """Metrics of the layers of one stiffness ratio, looked up by Bond number."""
-
-    def __init__(self, table):
-        self.table = table
-
-    def bonds(self, lowest=0.0, highest=math.inf):
-        """Bond numbers of the grid from lowest to highest, both included."""
-        return sorted(bond for bond in self.table["bond_number"].unique() if lowest <= bond <= highest)
-
-    def measured(self, name, bond):
-        """A metric at one Bond number, or None where the grid has no such case."""
-        rows = self.table[self.table["bond_number"] == bond]
-        if rows.empty:
-            return None
-        values = rows[name]
-        if len(rows) > 1:
-            return Measured(values.mean(), values.min(), values.max())
-        row = rows.iloc[0]
-        return Measured(row[name], row[f"{name}_lower"], row[f"{name}_upper"])
-
-
-def written(measured, scale=100, unit=" %"):
-    """A measured value with its interval, as text."""
-    if math.isnan(measured.value):
-        return "undefined"
-    text = f"{scale * measured.value:.3g}"
-    if math.isfinite(measured.lower):
-        text += f" [{scale * measured.lower:.3g}, {scale * measured.upper:.3g}]"
-    return text + unit
+    found: str
+    verdict: str
+    more: float = 0.0
+    bonds: tuple = ()
 
 
 def missing(bonds):
-    """Result where the grid lacks Bond numbers."""
-    return "no case at Bo = " + ", ".join(f"{bond:g}" for bond in bonds), NOT_TESTABLE
+    """Judgement where the grid lacks Bond numbers."""
+    return Judgement("no case at Bo = " + ", ".join(f"{bond:g}" for bond in bonds), UNKNOWN)
 
 
-def step_sign(before, after):
-    """1 or -1 where the change is larger than its uncertainty, 0 where it is not or a value is undefined.
+def decided(distance, side):
+    """Verdict on a number that has to be positive and is known to +- side, and how much more layer would tell."""
+    if not math.isfinite(distance):
+        return UNKNOWN, 0.0
+    if distance > side or (side == 0 and distance >= 0):
+        return HOLDS, 0.0
+    if distance < -side:
+        return FAILS, 0.0
+    return UNKNOWN, (side / distance) ** 2 if distance else math.inf
+
+
+def all_of(parts):
+    """Verdict on several parts (verdict, more), all of which have to hold; and what the worst of the unknown takes."""
+    verdicts = [verdict for verdict, _ in parts]
+    if FAILS in verdicts:
+        return FAILS, 0.0
+    if UNKNOWN in verdicts:
+        return UNKNOWN, max(more for verdict, more in parts if verdict == UNKNOWN)
+    return HOLDS, 0.0
+
+
+def difference(smaller, larger):
+    """Whether one value is below the other.
 
     Intervals may be skew: of each only the side that faces the other value counts.
     """
-    change = after.value - before.value
-    if not math.isfinite(change):
-        return 0
-    low, high = (before, after) if change > 0 else (after, before)
-    sides = [side if math.isfinite(side) else 0.0 for side in (low.upper - low.value, high.value - high.lower)]
-    return 0 if abs(change) <= math.hypot(*sides) else int(math.copysign(1, change))
+    change = larger.value - smaller.value
+    sides = (smaller.above(), larger.below()) if change > 0 else (smaller.below(), larger.above())
+    return decided(change, math.hypot(*sides))
 
 
 def trend(name, bonds, signs, scale=100, unit=" %"):
@@ -78,40 +69,43 @@ def trend(name, bonds, signs, scale=100, unit=" %"):
         absent = [bond for bond, value in zip(bonds, values) if value is None]
         if absent:
             return missing(absent)
-        found = [step_sign(before, after) for before, after in pairwise(values)]
+        parts = [
+            difference(before, after) if sign > 0 else difference(after, before)
+            for (before, after), sign in zip(pairwise(values), signs)
+        ]
         text = "; ".join(f"Bo {bond:g}: {written(value, scale, unit)}" for bond, value in zip(bonds, values))
-        if any(have == -want for have, want in zip(found, signs)):
-            return text, DIFFERS
-        return text, AGREES if all(have == want for have, want in zip(found, signs)) else NOT_TESTABLE
+        return Judgement(text, *all_of(parts), tuple(bonds))
 
     return evaluate
 
 
-def within(name, bonds, lower=-math.inf, upper=math.inf, scale=100, unit=" %"):
-    """The metric lies between two bounds at every Bond number that is asked for and in the grid."""
+def within(name, bonds, lower=-math.inf, upper=math.inf, scale=100, unit=" %", extreme=False):
+    """The metric lies between two bounds at every Bond number that is asked for and in the grid; of an `extreme` value
+    the largest of the replicates."""
 
     def evaluate(grid):
         chosen = bonds(grid)
         if not chosen:
-            return "no such case", NOT_TESTABLE
+            return Judgement("no such case", UNKNOWN)
         values = {bond: grid.measured(name, bond) for bond in chosen}
         text = "; ".join(f"Bo {bond:g}: {written(value, scale, unit)}" for bond, value in values.items())
-        verdicts = [bounded(value, lower, upper) for value in values.values()]
-        if DIFFERS in verdicts:
-            return text, DIFFERS
-        return text, NOT_TESTABLE if NOT_TESTABLE in verdicts else AGREES
+        parts = [exceeded(value, lower, upper) if extreme else bounded(value, lower, upper) for value in values.values()]
+        return Judgement(text, *all_of(parts), tuple(chosen))
 
     return evaluate
 
 
 def bounded(measured, lower, upper):
-    """Whether a value lies within bounds; outside, but with an interval that reaches them, is not testable."""
+    """Whether a value lies within bounds, as far as its interval tells: (verdict, more)."""
+    return all_of([decided(measured.value - lower, measured.below()) if lower > -math.inf else (HOLDS, 0.0),
+                   decided(upper - measured.value, measured.above()) if upper < math.inf else (HOLDS, 0.0)])
+
+
+def exceeded(measured, lower, upper):
+    """The same of an extreme value: one that lies beyond the bound decides, whatever the others."""
     if math.isnan(measured.value):
-        return NOT_TESTABLE
-    if lower <= measured.value <= upper:
-        return AGREES
-    reaches = math.isfinite(measured.lower) and measured.lower <= upper and measured.upper >= lower
-    return NOT_TESTABLE if reaches else DIFFERS
+        return UNKNOWN, 0.0
+    return (HOLDS if lower <= measured.largest <= upper else FAILS), 0.0
 
 
 def only(*bonds):
