@@ -25,9 +25,9 @@ def test_standard_figures(plot, tmp_path):
     done = plot("--set", "base=-5 um", "--set", "bootstrap_resamples=0")
     assert done.returncode == 0, done.stderr
     files = sorted(file.name for file in (tmp_path / "figures").iterdir())
-    assert len(files) == 20
+    assert len(files) == 22
     assert {Path(name).stem for name in files} == {
-        "layer_from_above", "height_map", "coordination_number", "vertical_distribution", "cluster_size",
+        "layer_from_above", "height_map", "coordination_number", "vertical_distribution", "clusters_from_above", "cluster_size",
         "cluster_orientation", "surface_height", "pores_from_above", "pore_size_distribution", "pore_size_groups",
     }  # fmt: skip
     for name in files:

@@ -116,12 +116,14 @@ FIGURES = {
     name: cases
     for name, cases in {
         "fig02_global_packing": bed_cases(),
+        "fig03_layers_by_ratio": ratio_cases(),
         "fig04_packing_by_ratio": ratio_cases(),
         "fig05_layer_maps": REFERENCE_LAYERS,
         "fig05_rendered_layer": rendered_case(),
         "fig06_coordination_number": REFERENCE_LAYERS,
         "fig07_vertical_distribution": REFERENCE_LAYERS,
         "fig08_packing_by_bond": REFERENCE_LAYERS,
+        "fig09_clusters": REFERENCE_LAYERS,
         "fig10_cluster_size": REFERENCE_LAYERS,
         "fig11_cluster_orientation": REFERENCE_LAYERS,
         "fig12_surface_height": REFERENCE_LAYERS,

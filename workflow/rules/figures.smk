@@ -11,7 +11,8 @@ rule figure:
         states=figure_states,
         script=script_file("{figure}"),
         modules=[
-            script_file(name) for name in ("layers", "pore_metrics", "resampling", "states", "style", "reporting")
+            script_file(name)
+            for name in ("layers", "from_above", "pore_metrics", "resampling", "states", "style", "reporting")
         ],
     output:
         vector=grid_file("figures/{figure}.pdf"),

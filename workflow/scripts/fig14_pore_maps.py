@@ -1,43 +1,25 @@
 """Figure 14: density pores coloured by their orientation, and chamber pores coloured by their size."""
 
 import numpy
-from matplotlib.collections import EllipseCollection
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.patches import Patch
 
+from from_above import centres, disks, frame, shown_length
 from layers import by_bond, load_layers
 from reporting import logged
 from style import PAGE, bond_label, pyplot, save, scale_bar
 
-SECTION = 80  # longest part of a layer that is shown [d_p]
 ORIENTATION, SIZE = "viridis", "plasma"
 NO_ANGLE = "0.55"  # round the period, or without a direction that stands out
 PARTICLE = "0.86"
 
 
-def disks(axes, x, y, diameters, **style):
-    """Circles of true size; those over the periodic boundary are drawn on both sides."""
-    low, high = axes.get_ylim()
-    places = numpy.vstack([numpy.column_stack([x, y + turn * (high - low)]) for turn in (-1, 0, 1)])
-    collection = EllipseCollection(
-        *2 * [numpy.tile(diameters, 3)],
-        numpy.zeros(len(places)),
-        units="xy",
-        offsets=places,
-        offset_transform=axes.transData,
-        **style,
-    )
-    axes.add_collection(collection)
-    return collection
-
-
 def draw_particles(axes, layer):
     """The layer in light grey."""
-    position = layer.state.points / layer.diameter
-    y = (position[:, 1] - layer.metrics["config"]["y_min"] / layer.diameter) % layer.width
-    near = (position[:, 0] > layer.x_range[0] - 1) & (position[:, 0] < layer.x_range[1] + 1)
+    x, y = centres(layer)
+    near = (x > layer.x_range[0] - 1) & (x < layer.x_range[1] + 1)
     diameters = 2 * layer.state.radius / layer.diameter
-    disks(axes, position[near, 0], y[near], diameters[near], facecolors=PARTICLE, edgecolors="none")
+    disks(axes, x[near], y[near], diameters[near], facecolors=PARTICLE, edgecolors="none")
 
 
 def draw_density_pores(axes, layer, extent):
@@ -63,7 +45,7 @@ def draw_chambers(axes, layer, norm):
 
 def draw(layers):
     shown = [members[0] for members in by_bond(layers).values()]
-    length = min(SECTION, min(layer.x_range[1] - layer.x_range[0] for layer in shown))
+    length = shown_length(shown)
     # Logarithmic: the few chambers of a nearly empty layer would leave all others one colour.
     sizes = numpy.concatenate([layer.chambers[:, 2] for layer in shown] + [[0.5, 1.0]])
     norm = LogNorm(sizes.min(), sizes.max())
@@ -72,12 +54,8 @@ def draw(layers):
         len(shown), 2, figsize=(PAGE, len(shown) * row + 0.8), sharex=False, sharey=True, squeeze=False
     )
     for (left, right), layer in zip(panels, shown):
-        extent = (layer.x_range[0], layer.x_range[0] + length)
         for axes in (left, right):
-            axes.set_aspect("equal")
-            axes.set_xlim(*extent)
-            axes.set_ylim(0, layer.width)
-            axes.spines[["top", "right"]].set_visible(True)
+            extent = frame(axes, layer, length)
             draw_particles(axes, layer)
         image = draw_density_pores(left, layer, extent)
         left.set_ylim(0, layer.width)

@@ -2,18 +2,18 @@
 
 import numpy
 
+from from_above import shown_length
 from layers import by_bond, load_layers
 from reporting import logged
 from style import PAGE, bond_label, pyplot, save, scale_bar
 
-SECTION = 80  # longest part of a layer that is shown [d_p]
 HEIGHTS = "cividis"
 EMPTY = "1.0"  # where no sphere stands
 
 
 def draw(layers):
     shown = [members[0] for members in by_bond(layers).values()]
-    length = min(SECTION, min(layer.x_range[1] - layer.x_range[0] for layer in shown))
+    length = shown_length(shown)
     highest = max(1.0, *(layer.height.max() for layer in shown))
     row = 0.85 * PAGE * shown[0].width / length + 0.25
     figure, panels = pyplot.subplots(

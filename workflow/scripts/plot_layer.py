@@ -14,6 +14,7 @@ FIGURES = {
     "height_map": "height_map",
     "coordination_number": "fig06_coordination_number",
     "vertical_distribution": "fig07_vertical_distribution",
+    "clusters_from_above": "fig09_clusters",
     "cluster_size": "fig10_cluster_size",
     "cluster_orientation": "fig11_cluster_orientation",
     "surface_height": "fig12_surface_height",
