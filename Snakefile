@@ -20,6 +20,7 @@ include: "workflow/rules/derive.smk"
 include: "workflow/rules/analyze.smk"
 include: "workflow/rules/check.smk"
 include: "workflow/rules/figures.smk"
+include: "workflow/rules/animation.smk"
 include: "workflow/rules/report.smk"
 
 

@@ -20,7 +20,7 @@ def dry_run(workflow, doubles, config):
 
 @pytest.mark.parametrize(
     "grid, layers, fills, figures",
-    [("reduced", 6, 4, 13), ("smoke", 4, 0, 14), ("paper", 15, 0, 14)],
+    [("reduced", 6, 4, 15), ("smoke", 4, 0, 17), ("workstation", 26, 0, 17), ("paper", 15, 0, 17)],
 )
 def test_every_grid_is_planned(workflow, doubles, grid, layers, fills, figures):
     output = dry_run(workflow, doubles, f"config/{grid}.yaml")
@@ -42,7 +42,7 @@ def test_seeds_multiply_the_cases(workflow, doubles):
 
 
 def test_lint_is_clean(workflow, doubles):
-    for grid in ("reduced", "paper"):
+    for grid in ("reduced", "workstation", "paper"):
         code, output = workflow("--lint", "--configfile", f"config/{grid}.yaml", build=doubles)
         assert code == 0 and "good condition" in output, output
 

@@ -30,8 +30,8 @@ def test_grid_to_report_and_nothing_to_do_afterwards(workflow, doubles):
     assert code == 0, output
     page = (workflow.folder / REPORT).read_text()
     figures = sorted((workflow.folder / "results/smoke/figures").glob("*.png"))
-    assert len(figures) == 14
-    assert page.count("data:image/png;base64,") == 14
+    assert len(figures) == 17
+    assert page.count("data:image/png;base64,") == 17
     links = re.findall(r'(?:src|href)="(?!data:|#)([^"]*)"', page)
     assert sorted(links) == sorted(f"figures/{figure.stem}.pdf" for figure in figures)
     assert set(re.findall(r'href="#([^"]*)"', page)) <= set(re.findall(r'id="([^"]*)"', page))
@@ -51,6 +51,12 @@ def test_grid_to_report_and_nothing_to_do_afterwards(workflow, doubles):
     (doubles / "solver/recoat-solve").touch()
     code, output = run(workflow, doubles, "--dry-run")
     assert "simulate_layer" not in output and "report" in output
+
+
+def test_an_animation_needs_states_on_the_way(workflow, doubles):
+    use(workflow)
+    code, output = run(workflow, doubles, "results/smoke/layers/bond-5_ratio-0.001_seed-1/animation.gif")
+    assert code != 0 and "this run kept no states on the way; give output.trajectory_interval" in output, output
 
 
 def test_several_seeds_are_drawn(workflow, doubles):

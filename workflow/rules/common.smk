@@ -115,6 +115,7 @@ def rendered_case():
 FIGURES = {
     name: cases
     for name, cases in {
+        "fig01_schematic": rendered_case(),
         "fig02_global_packing": bed_cases(),
         "fig03_layers_by_ratio": ratio_cases(),
         "fig04_packing_by_ratio": ratio_cases(),
@@ -146,6 +147,8 @@ def figure_metrics(wildcards):
 
 def figure_states(wildcards):
     """The particle states behind those files."""
+    if wildcards.figure == "fig01_schematic":
+        return [case_file(f"{stage}.vtkhdf", case, case.kind) for case in rendered_case() for stage in STAGES]
     name = "fill.vtkhdf" if wildcards.figure in BED_FIGURES else "spread.vtkhdf"
     return case_files(name, FIGURES[wildcards.figure])
 

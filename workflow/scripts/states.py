@@ -31,20 +31,26 @@ class State:
         return self.data["Radius"]
 
 
-def read_state(path):
-    """The last time step of a state file."""
+def read_state(path, step=-1):
+    """One time step of a state file, by default the last."""
     with h5py.File(path) as file:
         root = file["VTKHDF"]
         steps = root["Steps"]
-        first = int(steps["PointOffsets"][-1])
-        count = int(root["NumberOfPoints"][-1])
+        first = int(steps["PointOffsets"][step])
+        count = int(root["NumberOfPoints"][step])
         points = root["Points"][first : first + count]
         data = {}
         for name, values in root["PointData"].items():
-            begin = int(steps["PointDataOffsets"][name][-1])
+            begin = int(steps["PointDataOffsets"][name][step])
             data[name] = values[begin : begin + count]
         info = {name: text(value) for name, value in file["recoat"].attrs.items()}
     return State(str(path), points, data, info)
+
+
+def times(path):
+    """Of the time steps of a state file [s]."""
+    with h5py.File(path) as file:
+        return file["VTKHDF/Steps/Values"][:]
 
 
 def text(value):
