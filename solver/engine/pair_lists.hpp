@@ -131,9 +131,7 @@ private:
         s.listed_at = s.step;
         s.travelled = 0;
         s.close_reference.resize(s.awake);
-        const Row* position = s.particles.position.data();
-        Row* reference = s.close_reference.data();
-        space.for_each(s.awake, [=] RECOAT_LAMBDA(std::size_t i) { reference[i] = position[i]; });
+        copy_rows(space, s.particles.position.data(), s.close_reference.data(), s.awake);
     }
 
     void sort(Space& space, SnapshotOf<Space>& s, const Array<WallAnchor>& walls) {

@@ -27,6 +27,11 @@ bool all_inside(Space& space, const Row* position, std::size_t n, const DomainCh
                  n, [=] RECOAT_LAMBDA(std::size_t i) { return domain.inside(position[i].xyz()) ? 0.0 : 1.0; }) > 0);
 }
 
+template <class Space>
+void copy_rows(Space& space, const Row* from, Row* to, std::size_t n) {
+    space.for_each(n, [=] RECOAT_LAMBDA(std::size_t i) { to[i] = from[i]; });
+}
+
 /// Takes velocities half a step back, to those of a leapfrog that was under way.
 template <class Space, class Pass>
 void start_leapfrog(Space& space, const Pass& pass, std::size_t n) {
