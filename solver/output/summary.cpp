@@ -90,7 +90,9 @@ void write_summary(const std::filesystem::path& file, const Scene& scene, const 
                  {"backend", name_of(resources.backend)},
                  {"threads", resources.threads},
                  {"instruction_set", name_of(resources.instructions)},
-                 {"precision", scene.precision == Precision::mixed ? "mixed" : "double"}};
+                 // A device knows double precision only.
+                 {"precision",
+                  resources.backend == Backend::cpu && scene.precision == Precision::mixed ? "mixed" : "double"}};
     for (const StageRecord& record : progress.finished) json["stages"].push_back(stage_json(record, particles.size()));
     write_text_file(file, json.dump(2) + "\n");
 }

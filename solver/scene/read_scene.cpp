@@ -83,7 +83,7 @@ Scene read_scene(Config config, const std::filesystem::path& folder, std::option
         scene.smallest_diameter = diameters->smallest;
         scene.largest_diameter = diameters->largest;
     }
-    constexpr std::array<std::string_view, 2> precisions = {"double", "mixed"};
+    constexpr std::array<std::string_view, 2> precisions = {"mixed", "double"};
     scene.precision = config.choice_or("precision", precisions, precisions.front()) == "mixed"
                           ? Precision::mixed
                           : Precision::double_precision;
