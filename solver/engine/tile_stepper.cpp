@@ -165,7 +165,8 @@ private:
         part.near_particles += tallies_[p].near_particles;
     }
 
-    /// Adds `count` numbers from the one at `first` on of what an earlier part has added up for the particles of `tile`.
+    /// Adds `count` numbers from the one at `first` on of what an earlier part has added up for the particles of
+    /// `tile`.
     template <int first, int count>
     void absorb(TilePart& earlier, TileRange tile) {
         const auto begin = earlier.reached.begin();

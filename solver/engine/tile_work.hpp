@@ -67,7 +67,7 @@ struct TileWork {
     Real *slip_x, *slip_y, *slip_z, *last_attraction;
     double *lost_normal, *lost_tangential, *wall_work;  ///< a stretch of contacts books at its first place
     NearContacts<Real> near;
-    std::int32_t* near_particles;  ///< those of near contacts, part by part
+    std::int32_t* near_particles;       ///< those of near contacts, part by part
     const std::int32_t* contact_count;  ///< [N] listed contacts of each particle, for relative rolling
 };
 
