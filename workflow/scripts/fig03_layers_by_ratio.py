@@ -10,7 +10,7 @@ def draw(layers):
     """One run of each Bond number and ratio, from the stiffest on."""
     groups = sorted(by_case(layers).items(), key=lambda item: (item[0][0], -item[0][1]))
     shown = [members[0] for _, members in groups]
-    return draw_rows(shown, [f"{bond_label(layer.bond)}\nratio {layer.ratio:g}" for layer in shown])
+    return draw_rows(shown, [f"{bond_label(layer.bond)}, ratio {layer.ratio:g}" for layer in shown])
 
 
 if __name__ == "__main__":

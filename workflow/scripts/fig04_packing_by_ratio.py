@@ -5,13 +5,13 @@ from matplotlib.cbook import boxplot_stats
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_label, pyplot, save
+from style import WIDTH, bond_colours, bond_label, pyplot, save
 
 
 def draw(layers):
     groups = by_bond(layers)
     colours = bond_colours(groups)
-    figure, panels = pyplot.subplots(1, len(groups), figsize=(PAGE, 0.38 * PAGE), sharey=True, squeeze=False)
+    figure, panels = pyplot.subplots(1, len(groups), figsize=(WIDTH, 0.7 * WIDTH), sharey=True, squeeze=False)
     for axes, letter, (bond, members) in zip(panels[0], "abcdefgh", groups.items()):
         ratios = sorted({layer.ratio for layer in members})
         boxes = []
@@ -24,7 +24,7 @@ def draw(layers):
         for line in drawn["medians"]:
             line.set_color("black")
         axes.set_title(f"({letter}) {bond_label(bond)}")
-        axes.set_xlabel(r"Stiffness ratio $Y^{\mathrm{R}}/Y^{\mathrm{O}}$ [–]")
+    figure.supxlabel(r"Stiffness ratio $Y^{\mathrm{R}}/Y^{\mathrm{O}}$ [–]", fontsize=8)
     panels[0][0].set_ylabel(r"Local packing density $\phi$ [–]")
     return figure
 

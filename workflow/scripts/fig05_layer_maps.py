@@ -2,10 +2,10 @@
 
 import numpy
 
-from from_above import centres, disks, frame, shown_length
+from from_above import centres, disks, frame, name_row, rows_of_maps, shown_length
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PACKING_MAP, PAGE, bond_label, coordination_colours, coordination_ticks, pyplot, save, scale_bar
+from style import PACKING_MAP, bond_label, coordination_colours, coordination_ticks, save, scale_bar
 
 SEEDS = 2  # runs of each Bond number that are shown
 
@@ -44,10 +44,7 @@ def draw_rows(shown, labels):
     largest = max(len(layer.metrics["clusters"]["cn_counts"]) - 1 for layer in shown)
     colours, norm, classes = coordination_colours(largest)
     densest = max(layer.packing.max() for layer in shown)
-    row = 0.42 * PAGE * shown[0].width / length + 0.14
-    figure, panels = pyplot.subplots(
-        len(shown), 2, figsize=(PAGE, len(shown) * row + 0.8), sharex=True, sharey=True, squeeze=False
-    )
+    figure, panels = rows_of_maps(len(shown), 2, shown[0], length)
     for (left, right), layer, label in zip(panels, shown, labels):
         extent = frame(left, layer, length)
         drawn = draw_particles(left, layer, extent, colours, norm, classes)
@@ -62,17 +59,12 @@ def draw_rows(shown, labels):
             interpolation="nearest",
         )
         frame(right, layer, length)
-        left.set_ylabel(f"{label}\n$y/d_p$")
-    for axes in panels[0]:
-        scale_bar(axes)
-    for axes in panels[-1]:
-        axes.set_xlabel(r"$x/d_p$ [–] (spreading direction)")
-    bar = figure.colorbar(drawn, ax=panels[:, 0], location="bottom", ticks=range(classes), shrink=0.8, aspect=35)
+        name_row(left, label)
+    scale_bar(panels[0][1])
+    bar = figure.colorbar(drawn, ax=panels[:, 0], location="bottom", ticks=range(classes), aspect=20)
     bar.ax.set_xticklabels(coordination_ticks(classes))
     bar.set_label("Coordination number [–]")
-    figure.colorbar(image, ax=panels[:, 1], location="bottom", shrink=0.8, aspect=35).set_label(
-        r"Local packing density $\phi$ [–]"
-    )
+    figure.colorbar(image, ax=panels[:, 1], location="bottom", aspect=20).set_label(r"Local packing density $\phi$ [–]")
     return figure
 
 

@@ -8,7 +8,7 @@ from vtk.util.numpy_support import numpy_to_vtk
 from layers import load_layers
 from reporting import Implausible, logged
 from states import length
-from style import PAGE, bond_label, coordination_colours, coordination_ticks, pyplot, save
+from style import WIDTH, bond_label, coordination_colours, coordination_ticks, pyplot, save
 
 LENGTH = 45  # of the layer that is shown, measured back from the front of the blade [d_p]
 PIXELS = (4200, 1800)  # twice what is printed: averaged, it is smooth
@@ -146,14 +146,14 @@ def draw(layers):
     layer = layers[0]
     colours, norm, classes = coordination_colours(int(layer.coordination.max(initial=0)))
     image = crop(picture(layer, colours, norm, classes))
-    figure, axes = pyplot.subplots(figsize=(PAGE, PAGE * image.shape[0] / image.shape[1] + 0.55))
+    figure, axes = pyplot.subplots(figsize=(WIDTH, WIDTH * image.shape[0] / image.shape[1] + 0.75))
     axes.imshow(image)
     axes.set_axis_off()
     axes.set_title(
         f"{bond_label(layer.bond)}, blade clearance {float(layer.state.info['clearance']) / layer.diameter:g} $d_p$"
     )
     scale = pyplot.cm.ScalarMappable(norm, colours)
-    bar = figure.colorbar(scale, ax=axes, location="bottom", ticks=range(classes), shrink=0.5, aspect=35)
+    bar = figure.colorbar(scale, ax=axes, location="bottom", ticks=range(classes), shrink=0.8, aspect=30)
     bar.ax.set_xticklabels(coordination_ticks(classes))
     bar.set_label("Coordination number [–]")
     return figure

@@ -4,7 +4,8 @@ import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_label, bond_panels, grouped_bars, mean_and_range, particles_of, pyplot, save
+from replicates import over_replicates
+from style import bond_colours, bond_label, bond_panels, grouped_bars, legend_above, panels_below_each_other, particles_of, save
 
 
 def padded(shares, count):
@@ -12,10 +13,10 @@ def padded(shares, count):
     return numpy.pad(shares, (0, count - len(shares)))
 
 
-def coordination_shares(members, largest):
-    """Mean over the seeds of the shares of CN = 0..largest, with the bootstrap interval or the range of the seeds."""
-    return mean_and_range(
-        [[padded(part, largest + 1) for part in layer.estimate("clusters", "cn_fraction")] for layer in members]
+def coordination_shares(groups, largest):
+    """Shares of CN = 0..largest with their intervals; see over_replicates."""
+    return over_replicates(
+        groups, lambda layer: [padded(part, largest + 1) for part in layer.estimate("clusters", "cn_fraction")]
     )
 
 
@@ -23,23 +24,21 @@ def draw(layers):
     groups = by_bond(layers)
     colours = bond_colours(groups)
     largest = max(len(layer.metrics["clusters"]["cn_counts"]) - 1 for layer in layers)
+    shares = coordination_shares(groups, largest)
     panels = bond_panels(groups)
-    figure, row = pyplot.subplots(1, len(panels), figsize=(PAGE, 0.38 * PAGE), sharey=True, squeeze=False)
-    for axes, (title, bonds) in zip(row[0], panels):
-        results = {
-            bond_label(bond, particles_of(groups[bond])): (colours[bond], *coordination_shares(groups[bond], largest))
-            for bond in bonds
-        }
+    figure, row = panels_below_each_other(len(panels), 0.6)
+    for axes, (title, bonds) in zip(row, panels):
+        names = {bond: bond_label(bond, particles_of(groups[bond])) for bond in bonds}
         grouped_bars(
             axes,
             [str(number) for number in range(largest + 1)],
-            {label: (100 * value, colour) for label, (colour, value, _, _) in results.items()},
-            {label: (100 * lower, 100 * upper) for label, (_, _, lower, upper) in results.items()},
+            {names[bond]: (100 * shares[bond][0], colours[bond]) for bond in bonds},
+            {names[bond]: (100 * shares[bond][1], 100 * shares[bond][2]) for bond in bonds},
+            {names[bond]: particles_of(groups[bond]) for bond in bonds},
         )
-        axes.set_title(title)
-        axes.set_xlabel("Coordination number [–]")
-        axes.legend()
-    row[0][0].set_ylabel("Share of particles [%]")
+        axes.set_ylabel("Share of particles [%]")
+        legend_above(axes, title)
+    row[-1].set_xlabel("Coordination number [–]")
     return figure
 
 

@@ -4,7 +4,8 @@ import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import COLUMN, MARKERS, bond_colours, bond_label, error_bars, mean_and_range, particles_of, pyplot, save
+from replicates import over_replicates
+from style import MARKERS, WIDTH, bond_colours, bond_label, error_bars, legend_above, particles_of, pyplot, save
 
 BIN = 0.1  # d_p
 DODGE = 0.07  # d_p over which the Bond numbers are set apart within a bin
@@ -15,10 +16,9 @@ def bin_numbers(layer):
     return numpy.floor(layer.state.points[:, 2] / layer.diameter / BIN + 0.5 + 1e-6).astype(int)
 
 
-def vertical_shares(members, bins):
-    """Shares of the bins with bootstrap interval (one run) or range (several)."""
-    results = [layer.share_interval(numpy.minimum(bin_numbers(layer), bins), bins) for layer in members]
-    return mean_and_range(results)
+def vertical_shares(groups, bins):
+    """Shares of the bins with their intervals; see over_replicates."""
+    return over_replicates(groups, lambda layer: layer.share_interval(numpy.minimum(bin_numbers(layer), bins), bins))
 
 
 def runs(found):
@@ -30,10 +30,11 @@ def draw(layers):
     groups = by_bond(layers)
     colours = bond_colours(groups)
     bins = max(len(layer.metrics["vertical"]["fraction"]) for layer in layers)
-    figure, axes = pyplot.subplots(figsize=(COLUMN, 0.95 * COLUMN))
+    figure, axes = pyplot.subplots(figsize=(WIDTH, 0.95 * WIDTH))
+    found_shares = vertical_shares(groups, bins)
     shifts = DODGE * (numpy.arange(len(groups)) / max(len(groups) - 1, 1) - 0.5)
     for (bond, members), marker, shift in zip(groups.items(), MARKERS, shifts):
-        shares, lower, upper = (100 * part for part in vertical_shares(members, bins))
+        shares, lower, upper = (100 * part for part in found_shares[bond])
         found = numpy.flatnonzero(shares > 0)
         places = BIN * numpy.arange(bins) + shift
         style = {"color": colours[bond], "markersize": 3.5, "markeredgecolor": "black", "markeredgewidth": 0.3}
@@ -48,7 +49,7 @@ def draw(layers):
     axes.set_xlim(0.4, max(1.25, BIN * bins))
     axes.set_xlabel(r"Height of the particle centre $z/d_p$ [–]")
     axes.set_ylabel("Share of particles in 0.1 $d_p$ [%]")
-    axes.legend(ncols=2, loc="lower center", bbox_to_anchor=(0.45, 1.0), columnspacing=1.0)
+    legend_above(axes)
     return figure
 
 

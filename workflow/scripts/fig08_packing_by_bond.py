@@ -5,7 +5,8 @@ from matplotlib.cbook import boxplot_stats
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_series, pyplot, save
+from replicates import over_replicates
+from style import bond_colours, bond_series, panels_below_each_other, save
 
 CUT = 1.6  # an interval may reach so much above the largest value; what is longer is cut off, with an arrow
 
@@ -20,9 +21,8 @@ def draw_boxes(axes, groups, colours):
         box.set_facecolor((*colours[bond][:3], 0.5))
     for line in drawn["medians"]:
         line.set_color("black")
-    axes.set_xlabel("Bond number Bo [–]")
     axes.set_ylabel(r"Local packing density $\phi$ [–]")
-    axes.set_title("(a)")
+    axes.set_title("(a)", loc="left")
 
 
 def spread_of(layer):
@@ -33,29 +33,28 @@ def spread_of(layer):
 def draw_spread(axes, groups):
     """Panel (b), at the places of panel (a); what cannot be drawn is said there."""
     places = range(1, len(groups) + 1)
-    bond_series(axes, groups, spread_of, places)
-    values = [numpy.mean([spread_of(layer)[0] for layer in members]) for members in groups.values()]
-    top = CUT * numpy.nanmax([*values, 0.1])
+    spreads = over_replicates(groups, spread_of)
+    bond_series(axes, groups, spreads, spread_of, places)
+    top = CUT * numpy.nanmax([*(value for value, _, _ in spreads.values()), 0.1])
     axes.set_ylim(0, top)
-    for place, value, members in zip(places, values, groups.values()):
+    for place, (value, _, upper) in zip(places, spreads.values()):
         if not numpy.isfinite(value):
             axes.text(place, 0.02 * top, "median 0:\nno ratio", ha="center", va="bottom", rotation=90, fontsize=6.5)
-        elif len(members) == 1 and spread_of(members[0])[2] > top:
+        elif upper > top:
             axes.annotate("", (place, top), (place, 0.92 * top), arrowprops={"arrowstyle": "-|>", "color": "black"})
-            upper = spread_of(members[0])[2]
             axes.text(place, top, f"to {upper:.2g}", ha="center", va="bottom", fontsize=6.5)
     axes.set_xticks(places, [f"{bond:g}" for bond in groups])
     axes.set_xlim(0.5, len(groups) + 0.5)
     axes.set_xlabel("Bond number Bo [–]")
     axes.set_ylabel(r"IQR / median of $\phi$ [–]")
-    axes.set_title("(b)")
+    axes.set_title("(b)", loc="left", pad=9)
 
 
 def draw(layers):
     groups = by_bond(layers)
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(PAGE, 0.4 * PAGE))
-    draw_boxes(left, groups, bond_colours(groups))
-    draw_spread(right, groups)
+    figure, (above, below) = panels_below_each_other(2, 0.6)
+    draw_boxes(above, groups, bond_colours(groups))
+    draw_spread(below, groups)
     return figure
 
 

@@ -3,10 +3,10 @@
 import numpy
 from matplotlib.patches import Patch
 
-from from_above import centres, disks, frame, shown_length
+from from_above import centres, disks, frame, name_row, rows_of_maps, shown_length
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_label, pyplot, save, scale_bar
+from style import bond_label, pyplot, save, scale_bar
 
 ANGLES = "viridis"
 NO_ANGLE = "0.75"  # round the period, or without a direction that stands out
@@ -31,23 +31,21 @@ def draw(layers):
     shown = [members[0] for members in by_bond(layers).values()]
     length = shown_length(shown)
     rows = (len(shown) + 1) // 2
-    height = rows * (0.45 * PAGE * shown[0].width / length + 0.3) + 0.9
-    figure, panels = pyplot.subplots(rows, 2, figsize=(PAGE, height), sharex=False, sharey=True, squeeze=False)
-    for axes in panels.flat[len(shown) :]:
+    columns = min(2, len(shown))
+    uneven = rows * columns - len(shown)
+    figure, panels = rows_of_maps(rows, columns, shown[0], length, above=0.25 + 0.35 * uneven)
+    places = panels.T.ravel()  # down the left column first, as Bond numbers rise
+    for axes in places[len(shown) :]:
         axes.set_axis_off()
-    # Down the left column first, as Bond numbers rise.
-    places = [panels[number % rows][number // rows] for number in range(len(shown))]
     for axes, letter, layer in zip(places, "abcdefghijkl", shown):
         extent = frame(axes, layer, length)
         drawn = draw_clusters(axes, layer, extent)
-        axes.set_title(f"({letter}) {bond_label(layer.bond)}", loc="left", pad=2)
+        name_row(axes, f"({letter}) {bond_label(layer.bond)}")
+    for axes in places[[len(shown) - 1]]:  # in the last column nothing may be below it
+        axes.tick_params(labelbottom=True)
+        axes.set_xlabel("$x/d_p$", labelpad=1)
     scale_bar(places[0])
-    for axes in panels[:, 0]:
-        axes.set_ylabel("$y/d_p$")
-    for column in (places[:rows], places[rows:]):
-        for axes in column[-1:]:
-            axes.set_xlabel(r"$x/d_p$ [–] (spreading direction)")
-    bar = figure.colorbar(drawn, ax=panels, location="bottom", shrink=0.6, aspect=40, ticks=range(0, 91, 15))
+    bar = figure.colorbar(drawn, ax=panels, location="bottom", shrink=0.7, aspect=30, ticks=range(0, 91, 15))
     bar.set_label("Angle of the cluster to the spreading direction [°]")
     patch = Patch(facecolor=NO_ANGLE, edgecolor="black", label="cluster without direction, or round the period")
     figure.legend(handles=[patch], loc="outside upper center")

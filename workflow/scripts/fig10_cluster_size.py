@@ -6,7 +6,8 @@ import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_label, bond_panels, grouped_bars, mean_and_range, particles_of, pyplot, save
+from replicates import over_replicates
+from style import bond_colours, bond_label, bond_panels, grouped_bars, legend_above, panels_below_each_other, particles_of, save
 
 
 def size_classes(layer):
@@ -22,19 +23,20 @@ def class_label(first, last):
     return str(first) if first == last else f"{first}–{last}"
 
 
-def shares_of(members):
-    """Mean shares of size_classes with bootstrap interval (one run) or range (several)."""
-    results = [layer.estimate("clusters", "size_class_fraction") for layer in members]
-    return mean_and_range([[part[1:] for part in result] for result in results])
+def shares_of(groups):
+    """Shares of size_classes with their intervals; see over_replicates."""
+    return over_replicates(
+        groups, lambda layer: [part[1:] for part in layer.estimate("clusters", "size_class_fraction")]
+    )
 
 
 def draw(layers):
     groups = by_bond(layers)
     colours = bond_colours(groups)
     panels = bond_panels(groups)
-    results = {bond: shares_of(members) for bond, members in groups.items()}
-    figure, rows = pyplot.subplots(len(panels), 1, figsize=(PAGE, 0.32 * PAGE * len(panels)), squeeze=False)
-    for axes, (title, bonds) in zip(rows[:, 0], panels):
+    results = shares_of(groups)
+    figure, rows = panels_below_each_other(len(panels), 0.6)
+    for axes, (title, bonds) in zip(rows, panels):
         used = numpy.flatnonzero(numpy.any([results[bond][0] > 0 for bond in bonds], axis=0))
         sizes = size_classes(layers[0])
         names = {bond: bond_label(bond, particles_of(groups[bond])) for bond in bonds}
@@ -43,11 +45,11 @@ def draw(layers):
             [class_label(*sizes[k]) for k in used],
             {names[bond]: (100 * results[bond][0][used], colours[bond]) for bond in bonds},
             {names[bond]: (100 * results[bond][1][used], 100 * results[bond][2][used]) for bond in bonds},
+            {names[bond]: particles_of(groups[bond]) for bond in bonds},
         )
-        axes.set_title(title)
-        axes.set_xlabel("Cluster size [particles]; classes that nobody is in are left out")
         axes.set_ylabel("Share of particles [%]")
-        axes.legend(ncols=2)
+        legend_above(axes, title)
+    rows[-1].set_xlabel("Cluster size [particles]")
     return figure
 
 

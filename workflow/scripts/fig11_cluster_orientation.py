@@ -5,24 +5,25 @@ from matplotlib.patches import Patch
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_label, bond_panels, error_bars, mean_and_range, particles_of, pyplot, save
+from replicates import over_replicates
+from style import bond_colours, bond_label, bond_panels, error_bars, few, legend_above, panels_below_each_other, particles_of, save
 
 GROUPS = {"2": 1.0, "3-4": 0.6, ">=5": 0.25}  # size of the cluster: strength of the colour
-FEW = 10  # particles in a bar, below which their number stands over it
 
 
-def angle_shares(members, edges):
+def angle_shares(groups, edges):
     """Shares of all particles of the region by the angle of their cluster, with intervals; the rest has no angle."""
     bins = len(edges) - 1
-    results = []
-    for layer in members:
+
+    def shares(layer):
         angle = numpy.nan_to_num(layer.cluster_angle, nan=edges[-1] + 1)
         number = numpy.minimum(numpy.searchsorted(edges[1:-1], angle + 1e-9, side="left"), bins - 1)
         # particles on their own and clusters without a direction make up the last group, which is not drawn
         with_angle = numpy.isfinite(layer.cluster_angle) & (layer.cluster_size > 1)
         parts = layer.share_interval(numpy.where(with_angle, number, bins), bins + 1)
-        results.append([part[:bins] for part in parts])
-    return mean_and_range(results)
+        return [part[:bins] for part in parts]
+
+    return over_replicates(groups, shares)
 
 
 def tint(colour, strength):
@@ -30,19 +31,17 @@ def tint(colour, strength):
     return tuple(1 - strength * (1 - part) for part in colour[:3])
 
 
-def add_scatter(axes, members, edges, middles, tops):
+def add_scatter(axes, members, shares, middles, tops):
     """Intervals of the whole bars, and the numbers of particles of small ones."""
-    _, lower, upper = (100 * part for part in angle_shares(members, edges))
-    error_bars(axes, middles, tops, numpy.minimum(lower, tops), numpy.maximum(upper, tops), capsize=0.8)
-    counts = numpy.round(tops / 100 * particles_of(members)).astype(int)
-    for middle, top, high, count in zip(middles, tops, upper, counts):
-        if 0 < count < FEW:
-            axes.text(middle, max(top, high), f"{count}", ha="center", va="bottom", fontsize=5.5)
+    _, lower, upper = (100 * part for part in shares)
+    error_bars(axes, middles, tops, numpy.clip(lower, 0, tops), numpy.maximum(upper, tops), capsize=0.8)
+    few(axes, middles, numpy.fmax(tops, upper), tops / 100 * particles_of(members))
 
 
 def draw_panel(axes, groups, bonds, colours):
     """Bars of the Bond numbers side by side in each bin of the angle, stacked by cluster size."""
     edges = numpy.array(groups[bonds[0]][0].metrics["clusters"]["orientation_bin_edges"])
+    shares_of = angle_shares(groups, edges)
     width = 0.86 * (edges[1] - edges[0]) / len(bonds)
     for number, bond in enumerate(bonds):
         left = edges[:-1] + 0.07 * (edges[1] - edges[0]) + number * width
@@ -61,19 +60,17 @@ def draw_panel(axes, groups, bonds, colours):
                 linewidth=0.25,
             )
             bottom += heights
-        add_scatter(axes, groups[bond], edges, left + 0.5 * width, bottom)
+        add_scatter(axes, groups[bond], shares_of[bond], left + 0.5 * width, bottom)
     axes.set_xticks(edges)
-    axes.set_xlabel("Angle to the spreading direction [°]")
 
 
 def draw(layers):
     groups = by_bond(layers)
     colours = bond_colours(groups)
     panels = bond_panels(groups)
-    figure, rows = pyplot.subplots(len(panels), 1, figsize=(PAGE, 0.36 * PAGE * len(panels)), squeeze=False)
-    for axes, (title, bonds) in zip(rows[:, 0], panels):
+    figure, rows = panels_below_each_other(len(panels), 0.68)
+    for axes, (title, bonds) in zip(rows, panels):
         draw_panel(axes, groups, bonds, colours)
-        axes.set_title(title)
         axes.set_ylabel("Share of particles [%]")
         axes.margins(x=0.01)
         axes.set_ylim(top=1.1 * axes.dataLim.y1)
@@ -90,7 +87,8 @@ def draw(layers):
             )
             for size, strength in GROUPS.items()
         ]
-        axes.legend(handles=hues + tints, loc="center left", bbox_to_anchor=(1.0, 0.5))
+        legend_above(axes, title, handles=hues + (tints if axes is rows[0] else []))
+    rows[-1].set_xlabel("Angle to the spreading direction [°]")
     return figure
 
 

@@ -4,19 +4,26 @@ import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_colours, bond_label, bond_panels, grouped_bars, mean_and_range, pyplot, save
+from replicates import over_replicates
+from style import bond_colours, bond_label, bond_panels, grouped_bars, legend_above, panels_below_each_other, save
 
-
-LOWEST = 0.75  # d_p; below are only the flanks of spheres, in one class
+LOWEST, HIGHEST = 0.75, 1.5  # d_p; below are only the flanks of spheres, above is what stands out of the clearance
 STEP = 0.25  # d_p
 EDGE = 1e-6  # a height this little above an edge counts as on it, as in the report
 
 
 def class_edges(layers):
-    """Upper edges of the height classes above that of the empty nodes [d_p]."""
+    """Upper edges of the height classes above that of the empty nodes [d_p]; the last class is open where needed."""
     top = max(layer.height.max() for layer in layers)
-    count = max(1, int(numpy.ceil((top - LOWEST) / STEP - EDGE)))
-    return LOWEST + STEP * numpy.arange(count + 1)
+    count = max(1, int(numpy.ceil((min(top, HIGHEST) - LOWEST) / STEP - EDGE)))
+    edges = LOWEST + STEP * numpy.arange(count + 1)
+    return numpy.append(edges, numpy.inf) if top > HIGHEST + EDGE else edges
+
+
+def class_labels(edges):
+    """Of the empty nodes and of every class."""
+    closed = [f"{edge - STEP:g}–\n{edge:g}" for edge in edges[1:] if numpy.isfinite(edge)]
+    return ["0\n(empty)", f"0–\n{LOWEST:g}"] + closed + ([f"> {HIGHEST:g}"] if numpy.isinf(edges[-1]) else [])
 
 
 def height_shares(layer, edges):
@@ -34,24 +41,22 @@ def draw(layers):
     groups = by_bond(layers)
     colours = bond_colours(groups)
     edges = class_edges(layers)
-    labels = ["0\n(empty)", f"0–\n{LOWEST:g}"] + [f"{edge - STEP:g}–\n{edge:g}" for edge in edges[1:]]
+    labels = class_labels(edges)
     panels = bond_panels(groups)
-    figure, row = pyplot.subplots(1, len(panels), figsize=(PAGE, 0.4 * PAGE), sharey=True, squeeze=False)
-    for axes, (title, bonds) in zip(row[0], panels):
-        results = {
-            bond: [100 * part for part in mean_and_range([height_shares(layer, edges) for layer in groups[bond]])]
-            for bond in bonds
-        }
+    shares = over_replicates(groups, lambda layer: height_shares(layer, edges))
+    figure, row = panels_below_each_other(len(panels), 0.6)
+    for axes, (title, bonds) in zip(row, panels):
+        results = {bond: [100 * part for part in shares[bond]] for bond in bonds}
         grouped_bars(
             axes,
             labels,
             {bond_label(bond): (value, colours[bond]) for bond, (value, _, _) in results.items()},
             {bond_label(bond): (lower, upper) for bond, (_, lower, upper) in results.items()},
+            {bond_label(bond): sum(layer.height.size for layer in groups[bond]) for bond in bonds},
         )
-        axes.set_title(title)
-        axes.set_xlabel(r"Surface height $z/d_p$ [–]")
-        axes.legend()
-    row[0][0].set_ylabel("Share of grid nodes [%]")
+        axes.set_ylabel("Share of grid nodes [%]")
+        legend_above(axes, title, columns=4)
+    row[-1].set_xlabel(r"Surface height $z/d_p$ [–]")
     return figure
 
 

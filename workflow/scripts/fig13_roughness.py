@@ -2,7 +2,8 @@
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import COLUMN, bond_axis, bond_series, pyplot, save
+from replicates import over_replicates
+from style import WIDTH, bond_axis, bond_series, pyplot, save
 
 
 def roughness_of(layer):
@@ -11,9 +12,9 @@ def roughness_of(layer):
 
 
 def draw(layers):
-    figure, axes = pyplot.subplots(figsize=(COLUMN, 0.75 * COLUMN))
+    figure, axes = pyplot.subplots(figsize=(WIDTH, 0.75 * WIDTH))
     groups = by_bond(layers)
-    bond_series(axes, groups, roughness_of)
+    bond_series(axes, groups, over_replicates(groups, roughness_of), roughness_of)
     bond_axis(axes, list(groups))
     axes.set_ylim(bottom=0)
     axes.set_ylabel(r"Surface roughness $Ra/d_p$ [–]")

@@ -4,10 +4,10 @@ import numpy
 from matplotlib.colors import ListedColormap, LogNorm
 from matplotlib.patches import Patch
 
-from from_above import centres, disks, frame, shown_length
+from from_above import centres, disks, frame, name_row, rows_of_maps, shown_length
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_label, pyplot, save, scale_bar
+from style import bond_label, save, scale_bar
 
 ORIENTATION, SIZE = "viridis", "plasma"
 NO_ANGLE = "0.55"  # round the period, or without a direction that stands out
@@ -49,10 +49,7 @@ def draw(layers):
     # Logarithmic: the few chambers of a nearly empty layer would leave all others one colour.
     sizes = numpy.concatenate([layer.chambers[:, 2] for layer in shown] + [[0.5, 1.0]])
     norm = LogNorm(sizes.min(), sizes.max())
-    row = 0.42 * PAGE * shown[0].width / length + 0.14
-    figure, panels = pyplot.subplots(
-        len(shown), 2, figsize=(PAGE, len(shown) * row + 0.8), sharex=False, sharey=True, squeeze=False
-    )
+    figure, panels = rows_of_maps(len(shown), 2, shown[0], length, above=0.35)
     for (left, right), layer in zip(panels, shown):
         for axes in (left, right):
             extent = frame(axes, layer, length)
@@ -60,23 +57,18 @@ def draw(layers):
         image = draw_density_pores(left, layer, extent)
         left.set_ylim(0, layer.width)
         circles = draw_chambers(right, layer, norm)
-        left.set_ylabel(f"{bond_label(layer.bond)}\n$y/d_p$")
-        for axes in (left, right):
-            axes.tick_params(labelbottom=layer is shown[-1])
-    for axes in panels[0]:
-        scale_bar(axes)
-    for axes in panels[-1]:
-        axes.set_xlabel(r"$x/d_p$ [–] (spreading direction)")
-    bar = figure.colorbar(image, ax=panels[:, 0], location="bottom", shrink=0.8, aspect=35, ticks=range(0, 91, 15))
-    bar.set_label("Angle of density pore to the spreading direction [°]")
-    bar = figure.colorbar(circles, ax=panels[:, 1], location="bottom", shrink=0.8, aspect=35)
+        name_row(left, bond_label(layer.bond))
+    scale_bar(panels[0][1])
+    bar = figure.colorbar(image, ax=panels[:, 0], location="bottom", aspect=20, ticks=range(0, 91, 30))
+    bar.set_label("Angle of density pore [°]")
+    bar = figure.colorbar(circles, ax=panels[:, 1], location="bottom", aspect=20)
     ticks = [size for size in (0.5, 1, 2, 5, 10, 20, 50) if sizes.min() <= size <= sizes.max()]
     bar.set_ticks(ticks, labels=[f"{size:g}" for size in ticks])
     bar.ax.minorticks_off()
-    bar.set_label(r"Diameter of chamber pore $D/d_p$ [–]")
+    bar.set_label(r"Chamber pore $D/d_p$ [–]")
     greys = {"particles": PARTICLE, "density pore without direction, or round the period": NO_ANGLE}
     patches = [Patch(color=grey, label=label) for label, grey in greys.items()]
-    figure.legend(handles=patches, loc="outside upper center", ncols=2)
+    figure.legend(handles=patches, loc="outside upper left")
     return figure
 
 

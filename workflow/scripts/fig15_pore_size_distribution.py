@@ -6,7 +6,7 @@ import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
-from style import LINES, PAGE, bond_colours, bond_label, pyplot, save
+from style import LINES, bond_colours, bond_label, legend_above, panels_below_each_other, save
 
 FEWEST_FOR_CURVE = 5  # pores; a step of a quarter is no distribution
 FEWEST_FOR_BAND = 20  # pores; the band of fewer would cover the whole panel
@@ -29,7 +29,7 @@ def cumulative(sizes, at):
     return numpy.searchsorted(numpy.sort(sizes), at, side="right") / len(sizes)
 
 
-def draw_panel(axes, groups, colours, sizes_of):
+def draw_panel(axes, groups, colours, sizes_of, title):
     """A step curve for each Bond number over the sizes of all its seeds; the band is the interval of a single run."""
     for (bond, members), line in zip(groups.items(), cycle(LINES)):
         sizes = numpy.sort(numpy.concatenate([sizes_of(layer)[1] for layer in members]))
@@ -48,21 +48,18 @@ def draw_panel(axes, groups, colours, sizes_of):
         axes.fill_between(steps, 100 * lower, 100 * upper, step="post", color=colours[bond], alpha=0.12, linewidth=0)
     axes.set_xlim(left=0)
     axes.set_ylim(0, 102)
-    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=2, columnspacing=1.0)
+    axes.set_ylabel("Cumulative share [%]")
+    legend_above(axes, title, columns=2)
 
 
 def draw(layers):
     groups = by_bond(layers)
     colours = bond_colours(groups)
-    figure, (left, right) = pyplot.subplots(1, 2, figsize=(PAGE, 0.42 * PAGE), sharey=True)
-    draw_panel(left, groups, colours, density_sizes)
-    draw_panel(right, groups, colours, chamber_sizes)
-    left.set_xlabel(r"Equivalent diameter of density pore $D/d_p$ [–]")
-    right.set_xlabel(r"Diameter of chamber pore $D/d_p$ [–]")
-    pad = 6 + 11 * -(-len(groups) // 2)
-    left.set_title("(a) density pores", pad=pad)
-    right.set_title("(b) chamber pores", pad=pad)
-    left.set_ylabel("Cumulative share of pores [%]")
+    figure, (above, below) = panels_below_each_other(2, 0.75)
+    draw_panel(above, groups, colours, density_sizes, "(a) density pores")
+    draw_panel(below, groups, colours, chamber_sizes, "(b) chamber pores")
+    above.set_xlabel(r"Equivalent diameter of density pore $D/d_p$ [–]")
+    below.set_xlabel(r"Diameter of chamber pore $D/d_p$ [–]")
     return figure
 
 

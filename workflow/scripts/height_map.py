@@ -2,10 +2,10 @@
 
 import numpy
 
-from from_above import shown_length
+from from_above import frame, name_row, rows_of_maps, shown_length
 from layers import by_bond, load_layers
 from reporting import logged
-from style import PAGE, bond_label, pyplot, save, scale_bar
+from style import bond_label, pyplot, save, scale_bar
 
 HEIGHTS = "cividis"
 EMPTY = "1.0"  # where no sphere stands
@@ -15,10 +15,7 @@ def draw(layers):
     shown = [members[0] for members in by_bond(layers).values()]
     length = shown_length(shown)
     highest = max(1.0, *(layer.height.max() for layer in shown))
-    row = 0.85 * PAGE * shown[0].width / length + 0.25
-    figure, panels = pyplot.subplots(
-        len(shown), 1, figsize=(PAGE, len(shown) * row + 0.8), sharex=True, sharey=True, squeeze=False
-    )
+    figure, panels = rows_of_maps(len(shown), 1, shown[0], length)
     colours = pyplot.get_cmap(HEIGHTS).with_extremes(bad=EMPTY)
     for axes, layer in zip(panels[:, 0], shown):
         heights = numpy.where(layer.height > 0, layer.height, numpy.nan)[: round(length)]
@@ -26,11 +23,10 @@ def draw(layers):
         image = axes.imshow(
             heights.T, origin="lower", extent=extent, vmin=0, vmax=highest, cmap=colours, interpolation="nearest"
         )
-        axes.spines[["top", "right"]].set_visible(True)
-        axes.set_ylabel(f"{bond_label(layer.bond)}\n$y/d_p$")
+        frame(axes, layer, length)
+        name_row(axes, bond_label(layer.bond))
     scale_bar(panels[0][0])
-    panels[-1][0].set_xlabel(r"$x/d_p$ [–] (spreading direction)")
-    bar = figure.colorbar(image, ax=panels[:, 0], location="bottom", shrink=0.6, aspect=35)
+    bar = figure.colorbar(image, ax=panels[:, 0], location="bottom", shrink=0.8, aspect=30)
     bar.set_label(r"Highest point over the cell $z/d_p$ [–]; white: empty")
     return figure
 

@@ -8,11 +8,11 @@ import matplotlib.pyplot as pyplot
 import numpy
 from matplotlib.colors import BoundaryNorm, ListedColormap
 from matplotlib.patheffects import withStroke
+from matplotlib.transforms import offset_copy
 
 from reporting import write_json
 
-COLUMN = 90 / 25.4  # inches
-PAGE = 180 / 25.4
+WIDTH = 90 / 25.4  # of every figure, a column of a journal [inches]; texts are as large as they are printed
 MARKERS = "osD^vP*Xhd"
 PACKING_MAP = "magma"
 
@@ -30,7 +30,7 @@ pyplot.rcParams.update(
         "legend.frameon": False,
         "axes.spines.top": False,
         "axes.spines.right": False,
-        "savefig.dpi": 300,
+        "savefig.dpi": 600,  # a sphere of a map is half a millimetre wide
         "pdf.fonttype": 42,
         "figure.constrained_layout.use": True,
     }
@@ -56,14 +56,6 @@ def bond_label(bond, count=None):
 def particles_of(members):
     """Particles in the analysed regions of the runs of one Bond number."""
     return sum(layer.metrics["clusters"]["n_particles"] for layer in members)
-
-
-def mean_and_range(results):
-    """(value, lower, upper) of one run as they are; of several runs their mean and their range."""
-    if len(results) == 1:
-        return tuple(numpy.asarray(part, dtype=float) for part in results[0])
-    values = numpy.array([value for value, _, _ in results], dtype=float)
-    return values.mean(axis=0), values.min(axis=0), values.max(axis=0)
 
 
 def error_bars(axes, x, values, lower, upper, **style):
@@ -112,47 +104,85 @@ def coordination_ticks(classes):
     return [str(number) if number < 5 else "≥ 5" for number in range(classes)]
 
 
-def grouped_bars(axes, categories, series, errors=None):
-    """Bars of several series side by side; series: label -> (values, colour); errors: label -> (lower, upper)."""
+FEW = 10  # members of a bar, below which their number stands over it
+
+
+def few(axes, places, tops, counts):
+    """Numbers of members over the bars that have few; tops: where bars and their intervals end."""
+    for place, top, count in zip(places, tops, numpy.round(counts).astype(int)):
+        if 0 < count < FEW:
+            axes.text(place, top, f"{count}", ha="center", va="bottom", fontsize=5.5)
+
+
+def grouped_bars(axes, categories, series, errors, totals):
+    """Bars of shares [%] side by side, with numbers of members where they are few.
+
+    series: label -> (values, colour); errors: label -> (lower, upper); totals: label -> how many make 100 %.
+    """
     place = numpy.arange(len(categories))
     width = 0.82 / len(series)
     for number, (label, (values, colour)) in enumerate(series.items()):
         left = place - 0.41 + (number + 0.5) * width
         axes.bar(left, values, width, color=colour, edgecolor="black", linewidth=0.3, label=label)
-        if errors:
-            error_bars(axes, left, values, *errors[label])
+        lower, upper = errors[label]
+        error_bars(axes, left, values, numpy.maximum(lower, 0), upper)
+        few(axes, left, numpy.fmax(values, upper), totals[label] * numpy.asarray(values) / 100)
+    axes.set_ylim(bottom=0)
     axes.set_xticks(place, categories)
 
 
-def bond_series(axes, groups, statistic, places=None):
-    """A statistic of each Bond number: bootstrap interval of a single run, or the runs about their mean.
+def bond_series(axes, groups, results, statistic, places=None):
+    """A statistic of each Bond number with its interval, and the runs where there are several; results: over_replicates.
 
     No line joins them, since nothing is known in between. `places`: x of each, by default the Bond number itself.
     """
     places = list(groups) if places is None else places
-    for place, members in zip(places, groups.values()):
-        results = [statistic(layer) for layer in members]
-        value, lower, upper = mean_and_range(results)
+    colours = bond_colours(groups)
+    for place, (bond, members) in zip(places, groups.items()):
+        value, lower, upper = (float(part) for part in results[bond])
         if numpy.isfinite(value):
             error_bars(axes, [place], [value], [lower], [upper], elinewidth=0.9, capsize=2.5)
-            axes.plot([place], [value], "o", color="C0", markeredgecolor="black", markeredgewidth=0.4, zorder=5)
+            style = {"markersize": 5, "markeredgecolor": "black", "markeredgewidth": 0.5}
+            axes.plot([place], [value], "o", color=colours[bond], zorder=5, **style)
         if len(members) > 1:
-            axes.plot([place] * len(members), [result[0] for result in results], ".", color="0.4", markersize=3, zorder=5)
+            runs = [statistic(layer)[0] for layer in members]
+            axes.plot([place] * len(members), runs, "_", color="black", markersize=8, markeredgewidth=0.8, zorder=3)
+
+
+def panels_below_each_other(count, height):
+    """Figure and axes of panels that fill the width; height of each as a share of it."""
+    figure, panels = pyplot.subplots(count, 1, figsize=(WIDTH, count * height * WIDTH), squeeze=False)
+    return figure, panels[:, 0]
+
+
+def legend_above(axes, title="", columns=2, **more):
+    """Title and legend of a panel between it and the one above."""
+    axes.legend(
+        title=title,
+        title_fontsize=8,
+        alignment="left",
+        loc="lower left",
+        bbox_to_anchor=(-0.02, 0.98),
+        ncols=columns,
+        columnspacing=0.9,
+        handlelength=1.3,
+        handletextpad=0.4,
+        borderaxespad=0,
+        **more,
+    )
 
 
 def scale_bar(axes):
-    """A bar of 10 d_p, or fewer on a short map, in the lower right corner of a map, and its length."""
-    (left, right), (low, high) = axes.get_xlim(), axes.get_ylim()
+    """A bar of 10 d_p, or fewer on a short map, above the upper right corner of a map, and its length."""
+    (left, right), (_, high) = axes.get_xlim(), axes.get_ylim()
     length = next((length for length in (10, 5, 2) if length <= 0.4 * (right - left)), 1)
-    x, y = right - 0.02 * (right - left), low + 0.1 * (high - low)
-    bar = axes.plot([x - length, x], [y, y], color="black", linewidth=2, solid_capstyle="butt", zorder=8)
-    label = axes.text(x - 0.5 * length, y, f"{length} $d_p$", ha="center", va="bottom", fontsize=7, zorder=8)
-    for part in (*bar, label):
-        part.set_path_effects([withStroke(linewidth=3.5, foreground="white")])
+    place = {"transform": offset_copy(axes.transData, axes.figure, y=5, units="points"), "clip_on": False}
+    axes.plot([right - length, right], [high, high], color="black", linewidth=2, solid_capstyle="butt", **place)
+    axes.text(right - length, high, f"{length} $d_p$ ", ha="right", va="center", fontsize=7, **place)
 
 
 def save(figure, snakemake, layers, note=""):
-    """Write the figure as PDF and 300 dpi PNG, and beside it what it was drawn from."""
+    """Write the figure as PDF and PNG, and beside it what it was drawn from."""
     figure.savefig(snakemake.output.vector, metadata={"CreationDate": None})
     figure.savefig(snakemake.output.bitmap, metadata={"Software": None})
     pyplot.close(figure)
