@@ -8,7 +8,7 @@ import pytest
 from derived_table import flatten, table as derived_table
 from fig06_coordination_number import coordination_shares
 from fig10_cluster_size import class_label, shares_of as cluster_shares, size_classes
-from fig12_surface_height import class_edges, height_shares
+from fig12_surface_height import class_edges, class_labels, height_shares
 from fig15_pore_size_distribution import cumulative
 from fig16_pore_size_groups import draw_panel
 from layers import Layer, by_bond
@@ -17,7 +17,7 @@ from pore_metrics import DENSITY, pore_scalars
 from readable import duration, quantity
 from report import cell
 from runtime_table import table as runtime_table
-from style import bond_panels, pyplot, scale_bar
+from style import bond_panels, grouped_bars, pyplot, scale_bar
 import synthetic
 
 
@@ -48,13 +48,13 @@ def test_cluster_classes_are_those_of_the_report_without_single_particles(tmp_pa
     found = layer(tmp_path, uncertainty={"clusters": {"size_class_fraction": of([0.5, 0.3, 0.2], items=[1, 2, 5])}})
     assert size_classes(found) == [(2, 4), (5, None)]
     assert [class_label(*sizes) for sizes in [(2, 2), (2, 4), (5, None)]] == ["2", "2–4", "≥ 5"]
-    values, lower, _ = cluster_shares([found])
-    assert values.tolist() == [0.3, 0.2] and lower.tolist() == pytest.approx([0.29, 0.19])
+    values, lower, _ = cluster_shares({5.0: [found]})[5.0]
+    assert values.tolist() == pytest.approx([0.3, 0.2]) and lower.tolist() == pytest.approx([0.29, 0.19])
 
 
 def test_missing_classes_are_empty_ones(tmp_path):
     found = layer(tmp_path, uncertainty={"clusters": {"cn_fraction": of([1.0])}})
-    assert [part.tolist() for part in coordination_shares([found], 2)] == [[1, 0, 0], [0.99, 0, 0], [1.02, 0, 0]]
+    assert [part.tolist() for part in coordination_shares({5.0: [found]}, 2)[5.0]] == [[1, 0, 0], [0.99, 0, 0], [1.02, 0, 0]]
 
 
 def test_classes_of_height_are_closed_above(tmp_path):
@@ -66,6 +66,21 @@ def test_classes_of_height_are_closed_above(tmp_path):
     values, lower, upper = height_shares(found, edges)
     assert values.tolist() == [0.25, 0.25, 0.375, 0.125]
     assert (lower <= values).all() and (upper >= values).all() and lower[2] < upper[2]
+
+
+def test_all_that_stands_out_of_the_clearance_is_one_class(tmp_path):
+    made = {"block_columns": 1, "resamples": 20, "seed": 1}
+    found = layer(tmp_path, maps={"height": [[0.0, 1.5], [1.6, 2.4]]}, uncertainty=made)
+    edges = class_edges([found])
+    assert class_labels(edges) == ["0\n(empty)", "0–\n0.75", "0.75–\n1", "1–\n1.25", "1.25–\n1.5", "> 1.5"]
+    assert height_shares(found, edges)[0].tolist() == [0.25, 0, 0, 0, 0.25, 0.5]
+
+
+def test_small_bars_say_how_many_they_hold():
+    axes = pyplot.figure().add_subplot()
+    grouped_bars(axes, "abc", {"x": ([50, 4, 0], "black")}, {"x": ([40, 2, 0], [60, 7, 1])}, {"x": 100})
+    assert [(text.get_text(), text.get_position()) for text in axes.texts] == [("4", (1.0, 7.0))]
+    assert axes.get_ylim()[0] == 0
 
 
 @pytest.mark.parametrize(
@@ -135,7 +150,7 @@ def test_a_panel_without_bars_still_has_a_scale(tmp_path):
     count = {"value": 2, "lower": 1, "upper": 3}
     found = layer(tmp_path, uncertainty={"density_pores": {"8": {"count": count}}})
     axes = pyplot.figure().add_subplot()
-    draw_panel(axes, {5.0: [found]}, {5.0: "black"}, DENSITY)
+    draw_panel(axes, {5.0: [found]}, {5.0: "black"}, DENSITY, "")
     assert axes.get_ylim() == (0, 100)
     assert "no bars" in axes.get_legend().get_texts()[0].get_text()
 
@@ -146,7 +161,7 @@ def test_the_bar_of_a_map_is_shorter_than_the_map(width, length):
     axes.set(xlim=(30, 30 + width), ylim=(0, 6))
     scale_bar(axes)
     begin, end = axes.lines[0].get_xdata()
-    assert end - begin == pytest.approx(length) and axes.texts[0].get_text() == f"{length} $d_p$"
+    assert end - begin == pytest.approx(length) and axes.texts[0].get_text().strip() == f"{length} $d_p$"
 
 
 def test_perpendicular_groups(tmp_path):

@@ -8,11 +8,11 @@ rule animation:
     input:
         summary=case_file("summary.json"),
         script=script_file("animation"),
-        modules=[script_file(name) for name in ("states", "style", "reporting")],
+        modules=[script_file(name) for name in ("from_side", "states", "style", "reporting")],
     output:
         case_file("animation.gif"),
     params:
-        trajectory=lambda wildcards, output: Path(output[0]).parent / "run" / "trajectory.vtkhdf",
+        run=lambda wildcards, output: Path(output[0]).parent / "run",
     log:
         case_file("animation.log"),
     benchmark:

@@ -12,7 +12,10 @@ rule figure:
         script=script_file("{figure}"),
         modules=[
             script_file(name)
-            for name in ("layers", "from_above", "pore_metrics", "resampling", "states", "style", "reporting")
+            for name in (
+                "layers", "from_above", "from_side", "measured", "replicates", "pore_metrics", "resampling", "states", "style",
+                "reporting",
+            )
         ],
     output:
         vector=grid_file("figures/{figure}.pdf"),

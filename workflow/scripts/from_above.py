@@ -13,7 +13,7 @@ def shown_length(layers):
     return min(SECTION, min(layer.x_range[1] - layer.x_range[0] for layer in layers))
 
 
-def rows_of_maps(count, columns, layer, length, above=0.0, below=0.6):
+def rows_of_maps(count, columns, layer, length, above=0.0, below=0.65):
     """Figure and axes [row, column] of maps as long and as wide as those of `layer`; heights [inches] of what is not a map.
 
     Each map has room for a line of text above it.
@@ -22,7 +22,7 @@ def rows_of_maps(count, columns, layer, length, above=0.0, below=0.6):
     row = share * WIDTH / columns * layer.width / length + 0.19
     size = (WIDTH, count * row + 0.3 + above + below)
     figure, panels = pyplot.subplots(count, columns, figsize=size, sharex="col", sharey=True, squeeze=False)
-    figure.get_layout_engine().set(h_pad=0.01, hspace=0.01, w_pad=0.02, wspace=0.02)
+    figure.get_layout_engine().set(h_pad=0.03, hspace=0.0, w_pad=0.02, wspace=0.02)
     for axes in panels[:, 0]:
         axes.set_ylabel("$y/d_p$", labelpad=1)
     for axes in panels[-1]:

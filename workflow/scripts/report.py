@@ -81,9 +81,6 @@ def figure_entry(name, captions, bitmap, sources, comparison):
         "name": name,
         "title": captions[name]["title"],
         "caption": captions[name]["caption"],
-        "width": (
-            "column" if name in ("fig02_global_packing", "fig07_vertical_distribution", "fig13_roughness") else "page"
-        ),
         "image": base64.b64encode(Path(bitmap).read_bytes()).decode(),
         "bonds": listing(drawn["bond_numbers"]),
         "ratios": listing(drawn["stiffness_ratios"]),

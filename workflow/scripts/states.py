@@ -53,6 +53,23 @@ def times(path):
         return file["VTKHDF/Steps/Values"][:]
 
 
+def read_walls(path, time):
+    """Walls and blade of a wall file at its last step that is not after a time [s]: (number of the wall, corners [m])."""
+    with h5py.File(path) as file:
+        root = file["VTKHDF"]
+        steps = root["Steps"]
+        step = max(int(numpy.searchsorted(steps["Values"][:], time * (1 + 1e-9), side="right")) - 1, 0)
+        # Part 2 of vertices, lines, polygons and strips; each step's list of cells begins with a zero.
+        cells, first = int(root["Polygons/NumberOfCells"][step]), int(steps["CellOffsets"][step][2])
+        ends = root["Polygons/Offsets"][first + step : first + step + cells + 1]
+        begin, points = int(steps["ConnectivityIdOffsets"][step][2]), int(steps["PointOffsets"][step])
+        members = root["Polygons/Connectivity"][begin : begin + int(ends[-1])]
+        corners = root["Points"][points : points + int(root["NumberOfPoints"][step])]
+        number = int(steps["CellDataOffsets/Wall"][step])
+        walls = root["CellData/Wall"][number : number + cells]
+    return [(int(walls[k]), corners[members[ends[k] : ends[k + 1]]]) for k in range(cells)]
+
+
 def text(value):
     """HDF5 strings come as bytes."""
     return value.decode() if isinstance(value, bytes) else value

@@ -125,7 +125,8 @@ def grouped_bars(axes, categories, series, errors, totals):
         left = place - 0.41 + (number + 0.5) * width
         axes.bar(left, values, width, color=colour, edgecolor="black", linewidth=0.3, label=label)
         lower, upper = errors[label]
-        error_bars(axes, left, values, numpy.maximum(lower, 0), upper)
+        lower, upper = numpy.maximum(lower, 0), numpy.minimum(upper, 100)  # shares
+        error_bars(axes, left, values, lower, upper)
         few(axes, left, numpy.fmax(values, upper), totals[label] * numpy.asarray(values) / 100)
     axes.set_ylim(bottom=0)
     axes.set_xticks(place, categories)
