@@ -32,6 +32,8 @@ def spheres(run):
     shown.SetScalarBarVisibility(simple.GetActiveView(), True)
     bar = simple.GetScalarBar(colours)
     bar.Title, bar.ComponentTitle = "Velocity along x [m/s]", ""
+    bar.Orientation, bar.WindowLocation = "Horizontal", "Lower Center"
+    bar.TitleColor = bar.LabelColor = [0, 0, 0]
     return particles
 
 
@@ -43,21 +45,29 @@ def walls(run):
     shown.Opacity = 0.3
 
 
-def look_along_y(view):
-    """From the side, x to the right and z up, without perspective."""
+def look_along_y(view, particles):
+    """From the side, x to the right and z up, without perspective; all that the particles reach in the first and last state."""
+    boxes = []
+    for time in (view.ViewTime, *simple.GetAnimationScene().TimeKeeper.TimestepValues[-1:]):
+        particles.UpdatePipeline(time)
+        boxes.append(particles.GetDataInformation().GetBounds())
+    left, right, top = min(box[0] for box in boxes), max(box[1] for box in boxes), max(box[5] for box in boxes)
     view.CameraParallelProjection = 1
-    view.CameraFocalPoint, view.CameraPosition, view.CameraViewUp = [0, 0, 0], [0, -1, 0], [0, 0, 1]
+    view.CameraFocalPoint = [0.5 * (left + right), 0, 0.5 * top]
+    view.CameraPosition, view.CameraViewUp = [0.5 * (left + right), left - right, 0.5 * top], [0, 0, 1]
+    view.CameraParallelScale = 0.55 * max(1.6 * top, (right - left) * SIZE[1] / SIZE[0])
     view.ViewSize, view.OrientationAxesVisibility = SIZE, 0
-    simple.ResetCamera(view)
+    view.UseColorPaletteForBackground, view.Background = 0, [1, 1, 1]
 
 
 def film(run, output=None):
     """Build the picture of a run and, where asked for, write all its states."""
+    simple._DisableFirstRenderCameraReset()  # as in the states that ParaView saves itself
     view = simple.GetActiveViewOrCreate("RenderView")
-    spheres(run)
+    particles = spheres(run)
     walls(run)
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
-    look_along_y(view)
+    look_along_y(view, particles)
     simple.Render(view)
     if output:
         simple.SaveAnimation(output, view, ImageResolution=SIZE)

@@ -6,9 +6,11 @@ import numpy
 
 from layers import by_bond, load_layers
 from reporting import logged
+from replicates import over_replicates
 from style import LINES, bond_colours, bond_label, legend_above, panels_below_each_other, save
 
 FEWEST_FOR_CURVE = 5  # pores; a step of a quarter is no distribution
+PLACES = 121  # at which the bands are found
 FEWEST_FOR_BAND = 20  # pores; the band of fewer would cover the whole panel
 
 
@@ -29,8 +31,24 @@ def cumulative(sizes, at):
     return numpy.searchsorted(numpy.sort(sizes), at, side="right") / len(sizes)
 
 
+def bands(groups, sizes_of):
+    """Sizes and the interval of the share up to each; of the Bond numbers that have enough pores."""
+    sizes = {bond: numpy.concatenate([sizes_of(layer)[1] for layer in members]) for bond, members in groups.items()}
+    enough = {bond: members for bond, members in groups.items() if len(sizes[bond]) >= FEWEST_FOR_BAND}
+    if not enough:
+        return {}
+    places = numpy.linspace(0, max(sizes[bond].max() for bond in enough), PLACES)
+
+    def share(layer):
+        x, own = sizes_of(layer)
+        return cumulative(own, places), *layer.pore_interval(x, own, lambda chosen: cumulative(chosen, places))
+
+    found = over_replicates(enough, share)
+    return {bond: (places, *numpy.clip([lower, upper], 0, 1)) for bond, (_, lower, upper) in found.items()}
+
+
 def draw_panel(axes, groups, colours, sizes_of, title):
-    """A step curve for each Bond number over the sizes of all its seeds; the band is the interval of a single run."""
+    """A step curve for each Bond number over the sizes of all its seeds, and the band of its interval."""
     for (bond, members), line in zip(groups.items(), cycle(LINES)):
         sizes = numpy.sort(numpy.concatenate([sizes_of(layer)[1] for layer in members]))
         label = bond_label(bond, len(sizes))
@@ -41,11 +59,8 @@ def draw_panel(axes, groups, colours, sizes_of, title):
             continue
         steps = numpy.append(0, numpy.unique(sizes))
         axes.step(steps, 100 * cumulative(sizes, steps), where="post", label=label, **style)
-        if len(members) > 1 or len(sizes) < FEWEST_FOR_BAND:
-            continue
-        x, single = sizes_of(members[0])
-        lower, upper = members[0].pore_interval(x, single, lambda chosen: cumulative(chosen, steps))
-        axes.fill_between(steps, 100 * lower, 100 * upper, step="post", color=colours[bond], alpha=0.12, linewidth=0)
+    for bond, (places, lower, upper) in bands(groups, sizes_of).items():
+        axes.fill_between(places, 100 * lower, 100 * upper, color=colours[bond], alpha=0.12, linewidth=0)
     axes.set_xlim(left=0)
     axes.set_ylim(0, 102)
     axes.set_ylabel("Cumulative share [%]")

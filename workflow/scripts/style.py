@@ -166,7 +166,7 @@ def legend_above(axes, title="", columns=2, **more):
         bbox_to_anchor=(-0.02, 0.98),
         ncols=columns,
         columnspacing=0.9,
-        handlelength=1.3,
+        handlelength=1.8,
         handletextpad=0.4,
         borderaxespad=0,
         **more,
