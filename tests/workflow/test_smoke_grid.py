@@ -1,8 +1,12 @@
 """The smoke grid with the real programs, from scene to report."""
 
 import json
+import os
 import re
+import signal
 import subprocess
+import sys
+import time
 
 import pandas
 import pytest
@@ -38,3 +42,29 @@ def test_solver_accepts_every_scene_of_the_grid(workflow, build, grid):
             f"{program} --print-config {settings}", shell=True, cwd=workflow.folder, capture_output=True, text=True
         )
         assert process.returncode == 0, process.stderr
+
+
+def test_an_interrupted_case_continues_where_it_was(workflow, build):
+    """Ctrl-C during a stage: the next call goes on from there and does not begin again."""
+    folder = "results/smoke/layers/bond-5_ratio-0.01_seed-1"
+    log = workflow.folder / folder / "solve.log"
+    command = [sys.executable, "-m", "snakemake", "--cores", "1", f"{folder}/summary.json"]
+    command += ["--configfile", "config/smoke.yaml", "--config", f"build_directory={build}"]
+    process = subprocess.Popen(
+        command, cwd=workflow.folder, start_new_session=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL
+    )
+    for _ in range(600):
+        time.sleep(0.1)
+        if log.exists() and "fill: " in log.read_text():
+            break
+    os.killpg(process.pid, signal.SIGINT)
+    assert process.wait(timeout=60) != 0
+    stopped = int(re.search(r"^Stopped at step (\d+)", log.read_text(), re.MULTILINE).group(1))
+    assert stopped > 0 and not (workflow.folder / folder / "summary.json").exists()
+
+    code, output = workflow(f"{folder}/summary.json", "--configfile", "config/smoke.yaml", build=build)
+    assert code == 0, output
+    assert f"Continuing at step {stopped}." in log.read_text()
+    summary = json.loads((workflow.folder / folder / "summary.json").read_text())
+    assert summary["status"] == "finished"
+    assert sum(stage["steps"] for stage in summary["stages"]) > stopped

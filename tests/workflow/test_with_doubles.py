@@ -83,3 +83,14 @@ def test_implausible_result_stops_with_a_sentence(workflow, doubles, settings, s
     code, output = run(workflow, doubles, "results/smoke/figures/fig13_roughness.png")
     assert code != 0 and sentence in output, output
     assert not list((workflow.folder / "results/smoke").glob("figures/*.png"))
+
+
+def test_every_case_has_a_layer_before_the_second_seed_begins(workflow, doubles):
+    use(workflow, seeds=(3, 1))
+    code, output = run(workflow, doubles, "--cores", "1", "results/smoke/tables/metrics.csv")
+    assert code == 0, output
+    begun = re.findall(r"(Spreading|Checking) Bo = (\S+), stiffness ratio (\S+), seed (\d)", output)
+    seeds = [seed for what, _, _, seed in begun if what == "Spreading"]
+    assert seeds == ["3"] * 4 + ["1"] * 4
+    # What is finished is analysed and checked before the next case begins.
+    assert [what for what, *_ in begun] == ["Spreading", "Checking"] * 8

@@ -5,6 +5,8 @@ rule layer_region:
     """The part of the layer that is analysed, from the blade's path stored in the state."""
     message:
         "Region of the layer of Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
+    priority:
+        AT_ONCE
     input:
         state=case_file("spread.vtkhdf", kind="layers"),
         script=script_file("layer_region"),
@@ -34,6 +36,8 @@ rule bed_region:
     """The fill box and the height of the packed bed in it, for the global packing density of eq. 14."""
     message:
         "Region of the bed of Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
+    priority:
+        AT_ONCE
     input:
         state=case_file("fill.vtkhdf"),
         script=script_file("bed_region"),
@@ -56,6 +60,8 @@ rule analyze_layer:
     """All metrics of one spread layer."""
     message:
         "Analysing the layer of Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
+    priority:
+        AT_ONCE
     input:
         analyzer=ANALYZER,
         state=case_file("spread.vtkhdf", kind="layers"),
@@ -78,6 +84,8 @@ rule analyze_bed:
     """Global packing density of one packed bed [paper, eq. 14]."""
     message:
         "Analysing the bed of Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
+    priority:
+        AT_ONCE
     input:
         analyzer=ANALYZER,
         state=case_file("fill.vtkhdf"),

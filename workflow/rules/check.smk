@@ -5,6 +5,8 @@ rule check_layer:
     """Refuse a spread layer whose run is implausible; no figure is drawn from it then."""
     message:
         "Checking Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
+    priority:
+        AT_ONCE
     input:
         summary=case_file("summary.json", kind="layers"),
         states=[case_file(f"{stage}.vtkhdf", kind="layers") for stage in STAGES],
@@ -30,6 +32,8 @@ rule check_fill:
     """Refuse a packed bed whose run is implausible; no figure is drawn from it then."""
     message:
         "Checking the bed of Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
+    priority:
+        AT_ONCE
     input:
         summary=case_file("summary.json", kind="fills"),
         states=[case_file("fill.vtkhdf", kind="fills")],

@@ -80,6 +80,19 @@ def cases_of(kind, groups):
 LAYERS = cases_of("layers", config["layers"])
 FILL_ONLY = [case for case in cases_of("fills", config["fills"]) if case._replace(kind="layers") not in LAYERS]
 CASES = LAYERS + FILL_ONLY
+
+# Cases in the order in which they are begun: all with the first seed, then all with the second, so that a grid that is
+# stopped early has a layer of every Bond number.
+IN_TURN = sorted(CASES, key=lambda case: [str(seed) for seed in config["seeds"]].index(case.seed))
+TURNS = {case: len(IN_TURN) - number for number, case in enumerate(IN_TURN)}
+AT_ONCE = len(CASES) + 1  # priority of what follows a finished case, so that it can be looked at while others run
+
+
+def turn(wildcards, kind=None):
+    """Priority of a case: the higher, the sooner it is its turn; one that is asked for beside the grid comes last."""
+    return TURNS.get(Case(kind or wildcards.kind, wildcards.bond, wildcards.ratio, wildcards.seed), 0)
+
+
 REFERENCE_RATIO = min((case.ratio for case in LAYERS), key=float)
 REFERENCE_LAYERS = [case for case in LAYERS if case.ratio == REFERENCE_RATIO]
 

@@ -5,6 +5,8 @@ rule derive:
     """Every number that follows from the scene of one case: moduli, time step limits, the run time to expect here."""
     message:
         "Derived numbers of Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}"
+    priority:
+        turn
     input:
         solver=SOLVER,
         scene=config["scene"],

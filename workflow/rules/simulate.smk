@@ -8,6 +8,8 @@ rule simulate_layer:
     """Fill, heap and spread one case; the state after each stage and the run's summary are the result."""
     message:
         "Spreading Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
+    priority:
+        lambda wildcards: turn(wildcards, "layers")
     input:
         solver=SOLVER,
         scene=config["scene"],
@@ -40,6 +42,8 @@ rule simulate_fill:
     """Fill one case and stop; the packed bed and the run's summary are the result."""
     message:
         "Filling Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
+    priority:
+        lambda wildcards: turn(wildcards, "fills")
     input:
         solver=SOLVER,
         scene=config["scene"],

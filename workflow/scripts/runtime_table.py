@@ -16,6 +16,9 @@ def table(cases, summaries):
             "particles": summary["particles"],
             "threads": summary["threads"],
             "time_step_s": summary["time_step"],
+            "version": summary["version"],
+            "backend": summary.get("backend", ""),
+            "instruction_set": summary.get("instruction_set", ""),
         }
         for stage in summary["stages"]:
             rows.append(
