@@ -12,7 +12,6 @@ from fig12_surface_height import class_edges, class_labels, height_shares
 from fig15_pore_size_distribution import cumulative
 from fig16_pore_size_groups import draw_panel
 from layers import Layer, by_bond
-from metrics_table import perpendicular
 from pore_metrics import DENSITY, pore_scalars
 from readable import duration, quantity
 from report import cell
@@ -133,6 +132,7 @@ def test_pore_metrics(tmp_path):
     assert found["pore_iqr_dp"][0] == pytest.approx(2)
     assert found["pore_largest_area"][0] == pytest.approx(12 / 16)
     assert found["pore_group_2"][0] == 0.5
+    assert found["chamber_second_half"][0] == pytest.approx(0.5)
     assert found["chamber_below_1"][0] == pytest.approx(0.5)
     # A resample without a column of pores has none, or only those of the other.
     assert found["chamber_below_1"][1:] == (0, 1)
@@ -162,13 +162,6 @@ def test_the_bar_of_a_map_is_shorter_than_the_map(width, length):
     scale_bar(axes)
     begin, end = axes.lines[0].get_xdata()
     assert end - begin == pytest.approx(length) and axes.texts[0].get_text().strip() == f"{length} $d_p$"
-
-
-def test_perpendicular_groups(tmp_path):
-    particles = {"cluster_size": [1, 2, 2, 5, 3], "cluster_angle": [None, 10.0, 80.0, 45.0, None], "cn": []}
-    found = layer(tmp_path, particles=particles)
-    assert perpendicular(found, []).tolist() == [-1, 0, 1, 1, -1]
-    assert perpendicular(found, [2]).tolist() == [-1, 0, 1, -1, -1]
 
 
 def test_particles_outside_the_region_do_not_count(tmp_path):

@@ -12,7 +12,10 @@ rule metrics_table:
         script=script_file("metrics_table"),
         modules=[
             script_file(name)
-            for name in ("layers", "extremes", "pore_metrics", "resampling", "states", "reporting", "verdicts", "measured")
+            for name in (
+                *("layers", "layer_metrics", "pore_metrics", "extremes", "resampling", "states", "reporting"),
+                *("verdicts", "measured"),
+            )
         ],
     output:
         grid_file("tables/metrics.csv"),
@@ -110,7 +113,10 @@ rule comparison_table:
         script=script_file("comparison_table"),
         modules=[
             script_file(name)
-            for name in ("statements", "pore_statements", "pore_metrics", "extremes", "verdicts", "measured", "reporting")
+            for name in (
+                *("statements", "packing_statements", "cluster_statements", "surface_statements", "pore_statements"),
+                *("pore_metrics", "extremes", "comparisons", "verdicts", "measured", "reporting"),
+            )
         ],
     output:
         grid_file("tables/comparison.csv"),

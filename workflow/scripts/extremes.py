@@ -9,7 +9,8 @@ import math
 
 import numpy
 
-from verdicts import FAILS, HOLDS, UNKNOWN, Judgement
+from measured import Measured, written
+from verdicts import FAILS, HOLDS, UNKNOWN, Judgement, all_of, difference
 
 PAPER_AREA = 390 * 40  # of the layer that the paper analyses [d_p^2]
 FEWEST = 10
@@ -34,6 +35,32 @@ def prediction(sizes, area, other_area):
     # The largest of a Poisson number of exponential excesses; below the threshold where there is none.
     largest = threshold + scales * numpy.log(beyond / dice.exponential(size=DRAWS))
     return tuple(numpy.percentile(largest, [2.5, 50, 97.5]))
+
+
+def foreseen(grid, name, bond):
+    """What all replicates together foresee of the largest of a layer of the paper's size, or None without a case."""
+    rows = grid.table[grid.table["bond_number"] == bond]
+    if rows.empty:
+        return None
+    return Measured(*(rows.iloc[0][f"{name}_{part}"] for part in ("paper", "paper_lower", "paper_upper")))
+
+
+def largest_foreseen_at(name, bond, among, unit):
+    """The largest of a layer of the paper's size is larger at one Bond number than at each of the others."""
+
+    def evaluate(grid):
+        others = [other for other in among(grid) if other != bond]
+        values = {at: foreseen(grid, name, at) for at in sorted([bond, *others])}
+        if not others or values[bond] is None:
+            return Judgement(f"no case at Bo = {bond:g} and others", UNKNOWN)
+        values = {at: value for at, value in values.items() if at == bond or math.isfinite(value.value)}
+        text = "; ".join(f"Bo {at:g}: {written(value, 1, unit)}" for at, value in values.items())
+        parts = [difference(value, values[bond]) for at, value in values.items() if at != bond]
+        if not parts:
+            return Judgement(f"{text}; too few pores at the others to extrapolate", UNKNOWN)
+        return Judgement(text, *all_of(parts), tuple(values))
+
+    return evaluate
 
 
 def extreme(name, bond, printed, unit):

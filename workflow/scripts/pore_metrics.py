@@ -6,6 +6,8 @@ each other, and their interval would say that the value is certain.
 
 import numpy
 
+from resampling import no_narrower_than_independent
+
 DENSITY, CHAMBER = "density_pores/8", "chamber_pores/A"
 GROUPS = ["0–1", "1–2", "2–3", "3–4", "4–5", "≥ 5"]  # diameters [d_p]; closed below
 FEWEST = 5
@@ -71,12 +73,29 @@ def density_scalars(layer):
     return result | group_shares(layer, DENSITY, "pore")
 
 
+def share_in_second_half(layer, x):
+    """Share of pores in the second half of the layer, by the mean number in a column of either half."""
+    if len(x) < FEWEST:
+        return TOO_FEW
+    cell = numpy.clip(numpy.floor(x / layer.cell + 1e-6), 0, layer.cells - 1).astype(int)
+    rows = numpy.column_stack([numpy.bincount(cell, minlength=layer.cells), 2 * numpy.arange(layer.cells) >= layer.cells])
+
+    def statistic(chosen):
+        later = chosen[:, 1] > 0.5
+        if later.all() or not later.any() or not chosen[:, 0].any():
+            return numpy.nan
+        first, second = chosen[~later, 0].mean(), chosen[later, 0].mean()
+        return second / (first + second)
+
+    return statistic(rows), *layer.interval(rows, statistic)
+
+
 def chamber_scalars(layer):
     """Of chamber pores."""
     x, _, diameter = layer.chambers.T
 
     def share(condition):
-        return value_and_interval(layer, x, condition, mean)
+        return no_narrower_than_independent(*value_and_interval(layer, x, condition, mean), len(x))
 
     result = {
         "chamber_count": layer.estimate(CHAMBER, "count"),
@@ -88,14 +107,19 @@ def chamber_scalars(layer):
         "chamber_below_2": share(diameter < 2 - EDGE),
         "chamber_below_4": share(diameter < 4 - EDGE),
         "chamber_above_3": share(diameter >= 3 - EDGE),
+        "chamber_second_half": share_in_second_half(layer, x),
     }
     return result | group_shares(layer, CHAMBER, "chamber")
 
 
 def group_shares(layer, group, name):
     """NAME_group_0 ... 5: shares of the pores by number."""
-    parts = reported(layer, group, "group_number_fraction")
-    return {f"{name}_group_{k}": tuple(numpy.broadcast_to(part, len(GROUPS))[k] for part in parts) for k in range(len(GROUPS))}
+    parts = [numpy.broadcast_to(part, len(GROUPS)) for part in reported(layer, group, "group_number_fraction")]
+    number = layer.estimate(group, "count")[0]
+    return {
+        f"{name}_group_{k}": no_narrower_than_independent(*(part[k] for part in parts), number)
+        for k in range(len(GROUPS))
+    }
 
 
 def pore_scalars(layer):

@@ -7,11 +7,10 @@ steeper the slope, the narrower the range.
 import math
 
 from pore_metrics import FEWEST, GROUPS
-from extremes import extreme
+from comparisons import varies_more
+from extremes import extreme, largest_foreseen_at
 from measured import written
-from verdicts import UNKNOWN, Judgement, all_of, between, decided, difference, missing, only, trend, within
-
-RISE, FALL = 1, -1
+from verdicts import FALL, RISE, UNKNOWN, Judgement, all_of, between, decided, difference, missing, only, trend, within
 
 
 def below(highest):
@@ -84,6 +83,11 @@ PORE_STATEMENTS = [
     ),
     (
         "14",
+        "Bo > 0: chamber pores strewn evenly along x (share in the second half of the layer read as 40 to 60 %)",
+        within("chamber_second_half", between(0, above=True), 0.4, 0.6),
+    ),
+    (
+        "14",
         "Chamber sizes vary more at Bo = 0 than at Bo = 50 (interquartile range)",
         trend("chamber_iqr_dp", [0, 50], [FALL], 1, " d_p"),
     ),
@@ -91,6 +95,16 @@ PORE_STATEMENTS = [
         "15a",
         "Bo = 0: largest density pore 24 d_p (one layer of 390 by 40 d_p)",
         extreme("pore_largest_dp", 0, 24, " d_p"),
+    ),
+    (
+        "15a",
+        "Largest density pore of a layer of 390 by 40 d_p: larger at Bo = 0 than from Bo 0.2 to 200",
+        largest_foreseen_at("pore_largest_dp", 0, between(0, 200), " d_p"),
+    ),
+    (
+        "15a",
+        "Slope of the distribution of density pores larger at Bo 1 than at 0 (interquartile range smaller)",
+        trend("pore_iqr_dp", [0, 1], [FALL], 1, " d_p"),
     ),
     (
         "15a",
@@ -148,5 +162,10 @@ PORE_STATEMENTS = [
         "16b",
         "Share of chamber pores below 2 d_p: falls sharply beyond Bo = 50",
         trend("chamber_below_2", [50, 200, 400], [FALL, FALL]),
+    ),
+    (
+        "16b",
+        "Share of chamber pores of 2 to 3 d_p varies more with cohesion than that below 1 d_p",
+        varies_more("chamber_group_2", "chamber_group_0", between(0)),
     ),
 ]

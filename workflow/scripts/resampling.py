@@ -7,6 +7,7 @@ together.
 import warnings
 
 import numpy
+from scipy.stats import beta
 
 LEVEL = 0.95
 
@@ -74,3 +75,16 @@ def shares(counts):
     """Shares of the groups in the sum over the cells; not a number where nothing was counted."""
     total = numpy.asarray(counts).sum(axis=0)
     return total / total.sum() if total.sum() else numpy.full(total.shape, numpy.nan)
+
+
+def no_narrower_than_independent(value, lower, upper, number):
+    """An interval of a share of `number` things, widened to the exact binomial one where that is wider.
+
+    Resamples of a layer without a thing have none of it either, which says nothing about the next layer.
+    """
+    if not (number > 0 and numpy.isfinite(value)):
+        return value, lower, upper
+    seen, tail = value * number, 0.5 * (1 - LEVEL)
+    least = beta.ppf(tail, seen, number - seen + 1) if seen > 0 else 0.0
+    most = beta.ppf(1 - tail, seen + 1, number - seen) if seen < number else 1.0
+    return value, numpy.nanmin([lower, least]), numpy.nanmax([upper, most])

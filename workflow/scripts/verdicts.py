@@ -12,6 +12,7 @@ from itertools import pairwise
 from measured import written
 
 HOLDS, FAILS, UNKNOWN = "holds", "does not hold", "cannot be told"
+RISE, FALL = 1, -1
 
 
 @dataclass(frozen=True)
