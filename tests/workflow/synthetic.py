@@ -141,3 +141,13 @@ def summary(stages, bond=5.0, ratio=0.001, seed=1, particles=300):
 def write_summary(path, values):
     """As JSON."""
     path.write_text(json.dumps(values))
+
+
+def write_energy(path, values):
+    """energy.csv of a run that loses its energy evenly over its steps."""
+    steps = sum(stage["steps"] for stage in values["stages"])
+    names = ("dissipated_normal", "dissipated_tangential", "dissipated_rolling")
+    rows = [",".join(["step", "time_s", *(f"{name}_J" for name in names)])]
+    for part in (0.0, 0.5, 1.0):
+        rows.append(",".join(f"{part * value:.9g}" for value in (steps, 1e-8 * steps, *(values["energy"][name] for name in names))))
+    path.write_text("\n".join(rows) + "\n")

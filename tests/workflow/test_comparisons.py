@@ -3,7 +3,7 @@
 import numpy
 import pandas
 import pytest
-from comparisons import falls_with_class, jointly, largest_at, less_affected, linear, share_kept, slowing, varies_more
+from comparisons import falls_with_class, jointly, larger_than, largest_at, less_affected, linear, share_kept, slowing, varies_more
 from extremes import largest_foreseen_at
 from measured import Grid
 from verdicts import FAILS, HOLDS, UNKNOWN, between, only, within
@@ -101,3 +101,9 @@ def test_the_largest_foreseen(zero, verdict):
     found = largest_foreseen_at("p", 0, between(0, 200), " d_p")(Grid(pandas.DataFrame(rows)))
     assert found.verdict == verdict, found
     assert "Bo 50" not in found.found
+
+
+@pytest.mark.parametrize("sliding, verdict", [(0.7, HOLDS), (0.3, FAILS), (0.505, UNKNOWN)])
+def test_larger_than(sliding, verdict):
+    found = larger_than("s", "r", between(0, above=True))(grid(s={0: 0.1, 1: sliding}, r={0: 0.5, 1: 0.5}))
+    assert found.verdict == verdict and found.bonds == (1,), found

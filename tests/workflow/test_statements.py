@@ -5,7 +5,7 @@ import pandas
 import pytest
 from measured import Grid
 from pore_statements import alike, dominant
-from statements import LAYER_STATEMENTS, bed_independence, evaluate, inertial_lengths, ratio_statements
+from statements import LAYER_STATEMENTS, bed_independence, evaluate, inertial_lengths, ratio_statements, with_losses
 from verdicts import FAILS, HOLDS, UNKNOWN, Judgement, between, only, trend, within
 
 
@@ -183,11 +183,25 @@ def test_every_statement_can_be_evaluated_without_its_cases():
 
 def test_rows_have_figure_paper_grid_verdict():
     metrics = table("packing_median", {5: 0.3}).assign(stiffness_ratio=0.5)
-    rows = evaluate(metrics, beds({0.001: 0.55, 0.1: 0.55}, 1e-4), 0.001, {0.0: 8.494733, 5.0: 1.42})
+    rows = evaluate(metrics, beds({0.001: 0.55, 0.1: 0.55}, 1e-4), 0.001, {0.0: 8.494733, 5.0: 1.42}, losses(5.0, 0.2, 0.5, 0.3))
     verdicts = [found.verdict for _, _, found in rows]
     assert set(verdicts) == {HOLDS, FAILS, UNKNOWN}
     assert verdicts[:2] == [HOLDS, UNKNOWN]
     assert verdicts[-5:] == [HOLDS, UNKNOWN, FAILS, UNKNOWN, UNKNOWN]
+
+
+def losses(bond, *parts):
+    """Shares of collisions, sliding and rolling in the energy lost, with a stiffness ratio as in the tests above."""
+    names = ("loss_collisions", "loss_sliding", "loss_rolling")
+    case = {"bond_number": bond, "stiffness_ratio": 0.5, "seed": 1}
+    return pandas.DataFrame([case | dict(zip(names, parts))])
+
+
+def test_losses_of_energy_belong_to_their_case():
+    metrics = table("packing_median", {0: 0.3, 5: 0.3}).assign(stiffness_ratio=0.5)
+    grid = Grid(with_losses(metrics, losses(5.0, 0.2, 0.5, 0.3)))
+    assert grid.measured("loss_sliding", 5).value == 0.5
+    assert numpy.isnan(grid.measured("loss_sliding", 0).value)
 
 
 def test_printed_inertial_lengths_are_cut_off_not_rounded():

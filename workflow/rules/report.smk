@@ -101,6 +101,30 @@ rule runtime_table:
         "../scripts/runtime_table.py"
 
 
+rule energy_table:
+    """Energy lost while spreading, by collisions, sliding and rolling, of every layer [paper, section 5.5]."""
+    message:
+        "Table of energy losses"
+    input:
+        checks=case_files("checks.json", LAYERS),
+        energies=case_files("energy.csv", LAYERS),
+        summaries=case_files("summary.json", LAYERS),
+        script=script_file("energy_losses"),
+        modules=[script_file("reporting")],
+    output:
+        grid_file("tables/energy.csv"),
+    params:
+        cases=case_labels(LAYERS),
+    log:
+        grid_file("logs/energy.log"),
+    benchmark:
+        grid_file("benchmarks/energy.tsv")
+    conda:
+        ENVIRONMENT
+    script:
+        "../scripts/energy_losses.py"
+
+
 rule comparison_table:
     """What the paper states beside what this grid gives."""
     message:
@@ -108,6 +132,7 @@ rule comparison_table:
     input:
         metrics=grid_file("tables/metrics.csv"),
         beds=grid_file("tables/beds.csv"),
+        energy=grid_file("tables/energy.csv"),
         runtime=grid_file("tables/runtime.csv"),
         derived=case_files("derived.json", REFERENCE_LAYERS),
         script=script_file("comparison_table"),
@@ -115,6 +140,7 @@ rule comparison_table:
             script_file(name)
             for name in (
                 *("statements", "packing_statements", "cluster_statements", "surface_statements", "pore_statements"),
+                "mechanism_statements",
                 *("pore_metrics", "extremes", "comparisons", "verdicts", "measured", "reporting"),
             )
         ],
@@ -144,6 +170,7 @@ rule report:
         metrics=grid_file("tables/metrics.csv"),
         beds=grid_file("tables/beds.csv"),
         derived=grid_file("tables/derived.csv"),
+        energy=grid_file("tables/energy.csv"),
         runtime=grid_file("tables/runtime.csv"),
         summaries=case_files("summary.json", CASES),
         checks=case_files("checks.json", CASES),

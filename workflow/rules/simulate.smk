@@ -18,6 +18,7 @@ rule simulate_layer:
         fill=case_file("fill.vtkhdf", kind="layers"),
         heap=case_file("heap.vtkhdf", kind="layers"),
         spread=case_file("spread.vtkhdf", kind="layers"),
+        energy=case_file("energy.csv", kind="layers"),
         summary=case_file("summary.json", kind="layers"),
     params:
         work=lambda wildcards, output: Path(output.summary).parent / "run",

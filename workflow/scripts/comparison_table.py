@@ -37,9 +37,10 @@ def table(rows, runtime, ratio):
 
 if __name__ == "__main__":
     with logged(snakemake):
-        metrics, beds, runtime = (pandas.read_csv(snakemake.input[name]) for name in ("metrics", "beds", "runtime"))
+        tables = (pandas.read_csv(snakemake.input[name]) for name in ("metrics", "beds", "energy", "runtime"))
+        metrics, beds, energy, runtime = tables
         scenes = zip(snakemake.params.cases, map(read_json, snakemake.input.derived), strict=True)
         derived = {case["bond"]: scene["inertial_length"]["paper"] for case, scene in scenes}
         ratio = snakemake.params.reference_ratio
-        rows = evaluate(metrics, beds, ratio, derived)
+        rows = evaluate(metrics, beds, ratio, derived, energy)
         write_text(snakemake.output[0], table(rows, runtime, ratio).to_csv(index=False))

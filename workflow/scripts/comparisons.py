@@ -40,6 +40,21 @@ def largest_at(name, bond, among, scale=100, unit=" %"):
     return evaluate
 
 
+def larger_than(larger, smaller, bonds):
+    """One metric is larger than another at every Bond number that is asked for."""
+
+    def evaluate(grid):
+        chosen = bonds(grid)
+        if not chosen:
+            return Judgement("no such case", UNKNOWN)
+        values, _ = looked_up(grid, [larger, smaller], chosen)
+        pairs = {bond: (values[smaller, bond], values[larger, bond]) for bond in chosen}
+        text = "; ".join(f"Bo {bond:g}: {written(more)} against {written(less)}" for bond, (less, more) in pairs.items())
+        return Judgement(text, *all_of([difference(*pair) for pair in pairs.values()]), tuple(chosen))
+
+    return evaluate
+
+
 def falls_with_class(name, bond, classes):
     """Shares NAME_0, NAME_1, ... at one Bond number fall from each to the next."""
 

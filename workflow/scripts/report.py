@@ -139,6 +139,21 @@ def layer_rows(metrics):
     )
 
 
+def energy_rows(table):
+    """Shares of the energy lost while spreading, and the work of the blade."""
+    ways = ("collisions", "sliding", "rolling")
+    shares = {f"{way} [%]": [f"{100 * share:.1f}" for share in table[f"loss_{way}"]] for way in ways}
+    return pandas.DataFrame(
+        {
+            "Bo": table["bond_number"],
+            "stiffness ratio": table["stiffness_ratio"],
+            "seed": table["seed"],
+            **shares,
+            "work of the blade": [quantity(work, "J") for work in table["blade_work_J"]],
+        }
+    )
+
+
 def verdict_counts(comparison):
     """How many statements there are of each verdict, and those that do not hold."""
     found = comparison["verdict"].value_counts()
@@ -200,7 +215,8 @@ def context(snakemake):
         "smallness": smallness(particles),
         "figures": [figure_entry(name, captions, *files[name], comparison) for name in captions if name in files],
         "absent": [captions[name]["title"] for name in captions if name not in files],
-        "inertial_lengths": html_table(statements_of(comparison, "section 5.5")),
+        "mechanisms": html_table(statements_of(comparison, "section 5.5")),
+        "energy_table": html_table(energy_rows(pandas.read_csv(inputs.energy))),
         "checks": listing(checks[0]["checks"]),
         "check_table": check_table(params.cases, checks),
         "beds_table": html_table(pandas.read_csv(inputs.beds)),

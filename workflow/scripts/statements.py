@@ -4,12 +4,19 @@ import math
 
 from cluster_statements import CLUSTER_STATEMENTS
 from measured import Grid
+from mechanism_statements import MECHANISM_STATEMENTS
 from packing_statements import PACKING_STATEMENTS
 from pore_statements import PORE_STATEMENTS
 from surface_statements import SURFACE_STATEMENTS
 from verdicts import FAILS, FALL, HOLDS, UNKNOWN, Judgement, all_of, decided, missing, trend
 
-LAYER_STATEMENTS = PACKING_STATEMENTS + CLUSTER_STATEMENTS + SURFACE_STATEMENTS + PORE_STATEMENTS
+LAYER_STATEMENTS = [
+    *PACKING_STATEMENTS,
+    *CLUSTER_STATEMENTS,
+    *SURFACE_STATEMENTS,
+    *PORE_STATEMENTS,
+    *MECHANISM_STATEMENTS,
+]
 
 
 def alike_at_all_ratios(rows, name, bound, what):
@@ -53,8 +60,9 @@ def inertial_lengths(derived):
     return rows
 
 
-def evaluate(metrics, beds, reference_ratio, derived):
+def evaluate(metrics, beds, reference_ratio, derived, energy):
     """Rows of the comparison: figure, what the paper says, the judgement."""
+    metrics = with_losses(metrics, energy)
     grid = Grid(metrics[metrics["stiffness_ratio"] == reference_ratio])
     packed = Grid(beds[beds["stiffness_ratio"] == reference_ratio])
     rows = [
@@ -78,6 +86,14 @@ RATIO_BOUNDS = [  # Bond number, metric, bound of the relative difference, what 
     (5, "packing_iqr", 0.045, "interquartile ranges"),
     (50, "packing_iqr", 0.137, "interquartile ranges"),
 ]
+
+
+def with_losses(metrics, energy):
+    """The table of metrics with the losses of energy: those of a whole run, so that only replicates give intervals."""
+    case = ["bond_number", "stiffness_ratio", "seed"]
+    losses = [name for name in energy.columns if name.startswith("loss_")]
+    joined = metrics.merge(energy[case + losses], on=case, how="left")
+    return joined.assign(**{f"{name}_{side}": math.nan for name in losses for side in ("lower", "upper")})
 
 
 def ratio_statements(metrics):
