@@ -24,6 +24,11 @@ include: "workflow/rules/animation.smk"
 include: "workflow/rules/report.smk"
 
 
+if VARIATIONS:
+
+    include: "workflow/rules/variations.smk"
+
+
 rule all:
     """The report of the grid, with every figure and table."""
     default_target: True

@@ -8,14 +8,16 @@ rule layer_region:
     priority:
         AT_ONCE
     input:
-        state=case_file("spread.vtkhdf", kind="layers"),
+        state=spread_state,
         script=script_file("layer_region"),
         modules=[script_file("states"), script_file("reporting")],
     output:
-        case_file("layer_region.json", kind="layers"),
+        case_file("layer_region.json"),
+    wildcard_constraints:
+        kind=SPREAD_KIND,
     params:
-        skip_start_dp=config["layer_region"]["skip_start_dp"],
-        skip_end_dp=config["layer_region"]["skip_end_dp"],
+        skip_start_dp=lambda wildcards: region_of(wildcards.kind, "skip_start_dp"),
+        skip_end_dp=lambda wildcards: region_of(wildcards.kind, "skip_end_dp"),
         settings={
             "voxels_per_dp": config["voxels_per_dp"],
             "chamber_min_diameter": config["chamber_min_diameter_dp"],
@@ -23,9 +25,9 @@ rule layer_region:
             "bootstrap_resamples": config["bootstrap"]["resamples"],
         },
     log:
-        case_file("layer_region.log", kind="layers"),
+        case_file("layer_region.log"),
     benchmark:
-        case_file("layer_region.tsv", kind="layers")
+        case_file("layer_region.tsv")
     conda:
         ENVIRONMENT
     script:
@@ -64,15 +66,17 @@ rule analyze_layer:
         AT_ONCE
     input:
         analyzer=ANALYZER,
-        state=case_file("spread.vtkhdf", kind="layers"),
-        region=case_file("layer_region.json", kind="layers"),
+        state=spread_state,
+        region=case_file("layer_region.json"),
     output:
-        json=case_file("layer.json", kind="layers"),
-        tables=case_file("layer.h5", kind="layers"),
+        json=case_file("layer.json"),
+        tables=case_file("layer.h5"),
+    wildcard_constraints:
+        kind=SPREAD_KIND,
     log:
-        case_file("analyze_layer.log", kind="layers"),
+        case_file("analyze_layer.log"),
     benchmark:
-        case_file("analyze_layer.tsv", kind="layers")
+        case_file("analyze_layer.tsv")
     conda:
         ENVIRONMENT
     shell:

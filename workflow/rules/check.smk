@@ -8,20 +8,22 @@ rule check_layer:
     priority:
         AT_ONCE
     input:
-        summary=case_file("summary.json", kind="layers"),
-        states=[case_file(f"{stage}.vtkhdf", kind="layers") for stage in STAGES],
-        metrics=[case_file("bed.json", kind="layers"), case_file("layer.json", kind="layers")],
+        summary=case_file("summary.json"),
+        states=[case_file(f"{stage}.vtkhdf") for stage in STAGES],
+        metrics=[case_file("bed.json"), case_file("layer.json")],
         script=script_file("check_case"),
         modules=[script_file("states"), script_file("reporting")],
     output:
-        case_file("checks.json", kind="layers"),
+        case_file("checks.json"),
+    wildcard_constraints:
+        kind=SPREAD_KIND,
     params:
         bounds=config["bounds"],
         stages=STAGES,
     log:
-        case_file("check.log", kind="layers"),
+        case_file("check.log"),
     benchmark:
-        case_file("check.tsv", kind="layers")
+        case_file("check.tsv")
     conda:
         ENVIRONMENT
     script:

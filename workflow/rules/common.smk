@@ -29,15 +29,17 @@ with open(config["scene"]) as scene_file:
 
 
 wildcard_constraints:
-    kind="layers|fills",
+    kind="layers|fills|vary-[A-Za-z0-9_-]+",
     stage="fill|heap|spread",
     bond=r"[0-9.e+-]+",
     ratio=r"[0-9.e+-]+",
     seed="[0-9]+",
-    sweep="(layers|fills)-[0-9]+",
+    sweep="(layers|fills|vary-[A-Za-z0-9_-]+)-[0-9]+",
 
 
 Case = namedtuple("Case", "kind bond ratio seed")
+
+SPREAD_KIND = "layers|vary-[A-Za-z0-9_-]+"  # cases that are run through fill, heap and spread
 
 STAGES = ["fill", "heap", "spread"]
 
@@ -80,6 +82,8 @@ def cases_of(kind, groups):
 LAYERS = cases_of("layers", config["layers"])
 FILL_ONLY = [case for case in cases_of("fills", config["fills"]) if case._replace(kind="layers") not in LAYERS]
 CASES = LAYERS + FILL_ONLY
+VARIATIONS = {entry["name"]: entry for entry in config["variations"]}
+VARIED = [case._replace(kind=f"vary-{name}") for name in VARIATIONS for case in LAYERS]
 
 # Cases in the order in which they are begun: all with the first seed, then all with the second, so that a grid that is
 # stopped early has a layer of every Bond number.
@@ -188,6 +192,7 @@ def settings_of(kind, case):
     settings["stiffness_ratio"] = case.ratio
     settings["time_step"] = time_step(case.bond, case.ratio)
     settings["seed"] = case.seed
+    settings |= varied(kind).get("set", {})
     return [f"{key}={value}" for key, value in settings.items()]
 
 
@@ -196,21 +201,50 @@ def overrides(kind, case):
     return " ".join(f"--set {shlex.quote(setting)}" for setting in settings_of(kind, case))
 
 
+def runs_anew(kind):
+    """Whether a variation changes the scene, and not only what is analysed of the layer."""
+    return bool(varied(kind).get("set"))
+
+
+def varied(kind):
+    """What a variation changes; nothing for the grid's own layers and fills."""
+    return VARIATIONS.get(kind.removeprefix("vary-"), {}) if kind.startswith("vary-") else {}
+
+
+def source(case):
+    """The case whose states one is analysed from: that of the grid itself where the scene is the same."""
+    kind = "layers" if case.kind.startswith("vary-") and not runs_anew(case.kind) else case.kind
+    return Case(kind, case.bond, case.ratio, case.seed)
+
+
+def spread_state(wildcards):
+    """An input function: the state that the layer of a case is analysed from."""
+    found = source(wildcards)
+    return case_file("spread.vtkhdf", found, found.kind)
+
+
+def region_of(kind, key):
+    """What is left out of the analysis at the start or behind the blade [d_p]."""
+    return varied(kind).get("layer_region", {}).get(key, config["layer_region"][key])
+
+
 def sweeps_of(kind):
     """The cases of one kind that are in the grid, in groups that share a GPU, by the name of the group."""
-    cases, size = [case for case in CASES if case.kind == kind], config["cases_per_gpu"]
+    cases, size = [case for case in CASES + VARIED if case.kind == kind], config["cases_per_gpu"]
     return {f"{kind}-{i // size + 1}": cases[i : i + size] for i in range(0, len(cases), size)}
 
 
 # Layers and fills apart: a sweep takes as long as its longest case.
-SWEEPS = sweeps_of("layers") | sweeps_of("fills")
+SWEEPS = {}
+for kind in ["layers", "fills", *(f"vary-{name}" for name in VARIATIONS)]:
+    SWEEPS |= sweeps_of(kind)
 
 
-def sweep_report(kind):
+def sweep_report(kind=None):
     """An input function: the report of the sweep that a case is in."""
 
     def report(wildcards):
-        wanted = Case(kind, wildcards.bond, wildcards.ratio, wildcards.seed)
+        wanted = Case(kind or wildcards.kind, wildcards.bond, wildcards.ratio, wildcards.seed)
         return [grid_file(f"sweeps/{name}.txt") for name, cases in SWEEPS.items() if wanted in cases]
 
     return report

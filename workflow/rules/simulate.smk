@@ -9,25 +9,27 @@ rule simulate_layer:
     message:
         "Spreading Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
     priority:
-        lambda wildcards: turn(wildcards, "layers")
+        turn
     input:
         solver=SOLVER,
         scene=config["scene"],
-        derived=ancient(case_file("derived.json", kind="layers")),
+        derived=ancient(case_file("derived.json")),
     output:
-        fill=case_file("fill.vtkhdf", kind="layers"),
-        heap=case_file("heap.vtkhdf", kind="layers"),
-        spread=case_file("spread.vtkhdf", kind="layers"),
-        energy=case_file("energy.csv", kind="layers"),
-        summary=case_file("summary.json", kind="layers"),
+        fill=case_file("fill.vtkhdf"),
+        heap=case_file("heap.vtkhdf"),
+        spread=case_file("spread.vtkhdf"),
+        energy=case_file("energy.csv"),
+        summary=case_file("summary.json"),
+    wildcard_constraints:
+        kind=SPREAD_KIND,
     params:
         work=lambda wildcards, output: Path(output.summary).parent / "run",
-        settings=lambda wildcards: overrides("layers", wildcards),
+        settings=lambda wildcards: overrides(wildcards.kind, wildcards),
         backend=BACKEND,
     log:
-        case_file("solve.log", kind="layers"),
+        case_file("solve.log"),
     benchmark:
-        case_file("solve.tsv", kind="layers")
+        case_file("solve.tsv")
     threads: config["solver_threads"]
     resources:
         runtime=run_time,

@@ -61,19 +61,21 @@ rule collect_layer:
     message:
         "Collecting Bo = {wildcards.bond}, stiffness ratio {wildcards.ratio}, seed {wildcards.seed}"
     input:
-        sweep_report("layers"),
+        sweep_report(),
     output:
-        fill=case_file("fill.vtkhdf", kind="layers"),
-        heap=case_file("heap.vtkhdf", kind="layers"),
-        spread=case_file("spread.vtkhdf", kind="layers"),
-        energy=case_file("energy.csv", kind="layers"),
-        summary=case_file("summary.json", kind="layers"),
+        fill=case_file("fill.vtkhdf"),
+        heap=case_file("heap.vtkhdf"),
+        spread=case_file("spread.vtkhdf"),
+        energy=case_file("energy.csv"),
+        summary=case_file("summary.json"),
+    wildcard_constraints:
+        kind=SPREAD_KIND,
     params:
         work=lambda wildcards, output: Path(output.summary).parent / "run",
     log:
-        case_file("solve.log", kind="layers"),
+        case_file("solve.log"),
     benchmark:
-        case_file("solve.tsv", kind="layers")
+        case_file("solve.tsv")
     localrule: True
     conda:
         ENVIRONMENT
