@@ -16,8 +16,8 @@ def test_smoke_grid(workflow, build):
     code, output = workflow("--configfile", "config/smoke.yaml", build=build)
     assert code == 0, output
     results = workflow.folder / "results/smoke"
-    assert len(list((results / "figures").glob("*.png"))) == 14
-    assert (results / "report.html").read_text().count("data:image/png;base64,") == 14
+    assert len(list((results / "figures").glob("*.png"))) == 17
+    assert (results / "report.html").read_text().count("data:image/png;base64,") == 17
 
     table = pandas.read_csv(results / "tables/metrics.csv")
     assert len(table) == 4 and (table["particles"] > 10).all()
