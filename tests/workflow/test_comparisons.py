@@ -3,7 +3,7 @@
 import numpy
 import pandas
 import pytest
-from comparisons import falls_with_class, jointly, larger_than, largest_at, less_affected, linear, share_kept, slowing, varies_more
+from comparisons import falls_with_class, jointly, larger_than, largest_at, less_affected, linear, lowest_at, share_kept, slowing, varies_more
 from extremes import largest_foreseen_at
 from measured import Grid
 from verdicts import FAILS, HOLDS, UNKNOWN, between, only, within
@@ -107,3 +107,20 @@ def test_the_largest_foreseen(zero, verdict):
 def test_larger_than(sliding, verdict):
     found = larger_than("s", "r", between(0, above=True))(grid(s={0: 0.1, 1: sliding}, r={0: 0.5, 1: 0.5}))
     assert found.verdict == verdict and found.bonds == (1,), found
+
+
+@pytest.mark.parametrize(
+    "values, verdict, said",
+    [
+        ({1: 0.5, 50: 0.3, 200: 0.6}, HOLDS, "lowest at Bo 50, 0.3 [0.29, 0.31]"),
+        ({1: 0.5, 50: 0.3, 200: 0.305}, UNKNOWN, "may be so at Bo 50, Bo 200"),
+        ({1: 0.5, 50: 0.305, 200: 0.3}, UNKNOWN, "lowest at Bo 200, 0.3 [0.29, 0.31]; may be so at Bo 50, Bo 200"),
+        ({1: 0.2, 50: 0.3, 200: 0.6}, FAILS, "lowest at Bo 1"),
+        ({1: 0.2, 200: 0.6, 400: 0.7}, UNKNOWN, "no case at Bo = 50"),
+        ({1: numpy.nan, 50: 0.3, 200: 0.6}, UNKNOWN, "no case"),
+    ],
+)
+def test_lowest_at(values, verdict, said):
+    found = lowest_at("m", 50, between(0))(grid(m=values))
+    assert found.verdict == verdict and said in found.found, found
+    assert (found.more > 1) == (verdict == UNKNOWN and "may be" in found.found)

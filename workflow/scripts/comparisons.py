@@ -4,7 +4,7 @@ import math
 from itertools import pairwise
 
 from measured import written
-from verdicts import UNKNOWN, Judgement, all_of, decided, difference, missing
+from verdicts import FAILS, HOLDS, UNKNOWN, Judgement, all_of, decided, difference, missing
 
 
 def looked_up(grid, names, bonds):
@@ -36,6 +36,29 @@ def largest_at(name, bond, among, scale=100, unit=" %"):
         text = "; ".join(f"Bo {at:g}: {written(values[name, at], scale, unit)}" for at in sorted([bond, *others]))
         parts = [difference(values[name, other], values[name, bond]) for other in others]
         return Judgement(text, *all_of(parts), (bond, *others))
+
+    return evaluate
+
+
+def lowest_at(name, bond, among, scale=1, unit=""):
+    """The metric is lowest at this Bond number; the text names all at which it may be lowest, as far as intervals tell."""
+
+    def evaluate(grid):
+        values = {at: grid.measured(name, at) for at in among(grid)}
+        values = {at: value for at, value in values.items() if math.isfinite(value.value)}
+        if bond not in values or len(values) < 3:
+            return Judgement(f"no case at Bo = {bond:g} and on both sides", UNKNOWN)
+        best = min(values, key=lambda at: values[at].value)
+        told = {at: difference(values[best], value) for at, value in values.items() if at != best}
+        possible = sorted([best, *(at for at, (verdict, _) in told.items() if verdict == UNKNOWN)])
+        text = f"lowest at Bo {best:g}, {written(values[best], scale, unit)}"
+        if len(possible) > 1:
+            text += "; may be so at " + ", ".join(f"Bo {at:g}" for at in possible)
+        if bond not in possible:
+            return Judgement(text, FAILS, 0.0, tuple(values))
+        if len(possible) == 1:
+            return Judgement(text, HOLDS, 0.0, tuple(values))
+        return Judgement(text, UNKNOWN, max(told[at][1] for at in possible if at != best), tuple(possible))
 
     return evaluate
 
