@@ -70,7 +70,11 @@ def compared(rows, titles):
 
 def paragraphs(table, layers):
     """A plain paragraph for each variation, in Markdown."""
-    texts = [f"From {layers} layers; intervals of 95 %, replicates in brackets.\n"]
+    chance = 0.05 * len(table)
+    texts = [
+        f"From {layers} layers; intervals of 95 %, replicates in brackets. Of {len(table)} comparisons {int(table['seen'].sum())} "
+        f"show a difference; {chance:.0f} would by chance if nothing mattered.\n"
+    ]
     for title, rows in table.groupby("variation", sort=False):
         sentences = []
         for bond, mine in rows.groupby("bond_number"):
