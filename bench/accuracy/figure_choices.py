@@ -7,7 +7,7 @@ from statistics_of_runs import relative_difference
 from step_marks import label_steps, mark_faults, say_faults, time_axis
 from workflow_scripts import read_json
 
-from style import MARKERS, PAGE, pyplot  # isort: skip
+from style import MARKERS, WIDTH, pyplot  # isort: skip
 
 LAYER = ["median packing density", "roughness Ra [d_p]", "coordination number"]
 BED = ["bed packing density", "bed coordination number"]
@@ -148,7 +148,7 @@ def panels(powder):
 def draw(powder, path):
     """Three panels in a row."""
     drawn = list(panels(powder))
-    figure, axes = pyplot.subplots(len(drawn) // 3, 3, figsize=(PAGE * 1.25, PAGE * 0.14 * len(drawn)))
+    figure, axes = pyplot.subplots(len(drawn) // 3, 3, figsize=(WIDTH * 2.5, WIDTH * 0.28 * len(drawn)))
     for panel, draw_panel in zip(axes.flat, drawn, strict=True):
         draw_panel(panel)
     figure.savefig(path, dpi=150, metadata={"Software": None})

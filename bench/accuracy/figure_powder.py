@@ -7,7 +7,7 @@ from statistics_of_runs import pooled
 from step_marks import FAULT, from_reference, label_steps, mark_faults, nearest_step, say_faults, time_axis
 from workflow_scripts import read_json
 
-from style import MARKERS, PAGE, pyplot  # isort: skip
+from style import MARKERS, WIDTH, pyplot  # isort: skip
 
 ROWS = [
     ("bed", "bed packing density"),
@@ -81,7 +81,7 @@ def draw(results, path):
     """A row for each quantity, a column for each Bond number; then the balance of energy."""
     study = results["powder"]["time_step"]
     steps = {(row["kind"], row["bond"]): row["automatic_step"] for row in results["recommended"]["powder"]}
-    figure, axes = pyplot.subplots(len(ROWS) + 1, COLUMNS, figsize=(PAGE * 1.25, PAGE * 1.6))
+    figure, axes = pyplot.subplots(len(ROWS) + 1, COLUMNS, figsize=(WIDTH * 2.5, WIDTH * 3.2))
     for row, (kind, name) in zip(axes, ROWS):
         bonds = sorted(bond for found, bond in steps if found == kind)
         for panel, bond in zip(row, bonds):

@@ -5,7 +5,7 @@ from matplotlib.lines import Line2D
 
 from workflow_scripts import read_json
 
-from style import MARKERS, PAGE, pyplot  # isort: skip
+from style import MARKERS, WIDTH, pyplot  # isort: skip
 
 PAPER_RATIO = 0.001
 PAPER_STEP = 2e-8
@@ -104,7 +104,7 @@ def draw_key(axes):
 
 def draw(cases, path):
     """Six panels: capture for three Bond numbers; pull-off; stiffness ratios; sliding."""
-    figure, axes = pyplot.subplots(2, 3, figsize=(PAGE * 1.25, PAGE * 0.8))
+    figure, axes = pyplot.subplots(2, 3, figsize=(WIDTH * 2.5, WIDTH * 1.6))
     bonds = sorted({case["bond"] for case in cases})
     for panel, bond in zip(axes[0], bonds):
         by_scheme(panel, cases, bond, CAPTURE, f"Capture velocity, Bo = {bond:g}", "worst error [%]")
