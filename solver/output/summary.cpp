@@ -73,26 +73,26 @@ std::int64_t count_lost(const Scene& scene, const ParticleTable& particles) {
 void write_summary(const std::filesystem::path& file, const Scene& scene, const RunProgress& progress,
                    const Engine& engine, RunStatus status, const Resources& resources) {
     const ParticleTable particles = engine.particles();
-    Json json = {{"version", program_version()},
-                 {"config", scene.resolved},
-                 {"seed", scene.seed},
-                 {"particles", particles.size()},
-                 {"bond_number", scene.bond_number},
-                 {"stiffness_ratio", scene.model.stiffness_ratio},
-                 {"time_step", scene.time_step},
-                 {"status", status == RunStatus::finished ? "finished" : "stopped"},
-                 {"steps", engine.step()},
-                 {"time", engine.time()},
-                 {"stages", Json::array()},
-                 {"energy", energy_json(progress.start, engine.ledger())},
-                 {"particles_lost", count_lost(scene, particles)},
-                 {"wall_seconds", progress.wall_seconds},
-                 {"backend", name_of(resources.backend)},
-                 {"threads", resources.threads},
-                 {"instruction_set", name_of(resources.instructions)},
-                 // A device knows double precision only.
-                 {"precision",
-                  resources.backend == Backend::cpu && scene.precision == Precision::mixed ? "mixed" : "double"}};
+    Json json = {
+        {"version", program_version()},
+        {"config", scene.resolved},
+        {"seed", scene.seed},
+        {"particles", particles.size()},
+        {"bond_number", scene.bond_number},
+        {"stiffness_ratio", scene.model.stiffness_ratio},
+        {"time_step", scene.time_step},
+        {"status", status == RunStatus::finished ? "finished" : "stopped"},
+        {"steps", engine.step()},
+        {"time", engine.time()},
+        {"stages", Json::array()},
+        {"energy", energy_json(progress.start, engine.ledger())},
+        {"particles_lost", count_lost(scene, particles)},
+        {"wall_seconds", progress.wall_seconds},
+        {"backend", name_of(resources.backend)},
+        {"threads", resources.threads},
+        {"instruction_set", name_of(resources.instructions)},
+        // A device knows double precision only.
+        {"precision", resources.backend == Backend::cpu && scene.precision == Precision::mixed ? "mixed" : "double"}};
     for (const StageRecord& record : progress.finished) json["stages"].push_back(stage_json(record, particles.size()));
     write_text_file(file, json.dump(2) + "\n");
 }
