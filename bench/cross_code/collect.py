@@ -7,7 +7,7 @@ from pathlib import Path
 
 sys.path.insert(0, "bench/cross_code")
 
-from comparison import put_into
+from two_codes import put_into
 
 plan, document = snakemake.params.plan, Path("docs/verification.md")
 version = [f"{snakemake.params.build}/solver/recoat-solve", "--version"]

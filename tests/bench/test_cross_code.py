@@ -14,11 +14,11 @@ import yaml
 def scripts(root):
     """The scripts of bench/cross_code, which are imported by their plain names."""
     sys.path.insert(0, str(root / "bench/cross_code"))
-    import comparison
     import run_case
     import starts
+    import two_codes
 
-    yield {"comparison": comparison, "run_case": run_case, "starts": starts}
+    yield {"two_codes": two_codes, "run_case": run_case, "starts": starts}
     sys.path.remove(str(root / "bench/cross_code"))
 
 
@@ -66,9 +66,9 @@ def test_both_codes_step_for_the_same_time(scripts, plan, name):
 def test_the_difference_is_that_of_welch(scripts):
     first, second = [0.58, 0.57, 0.59, 0.575], [0.56, 0.555, 0.575, 0.57]
     expected = abs(scipy.stats.ttest_ind(first, second, equal_var=False).statistic)
-    assert scripts["comparison"].compare(first, second)["errors_apart"] == pytest.approx(expected)
+    assert scripts["two_codes"].compare(first, second)["errors_apart"] == pytest.approx(expected)
 
 
 def test_the_document_holds_the_table_of_the_results(scripts, root):
     results = json.loads((root / "bench/results/cross_code.json").read_text())
-    assert scripts["comparison"].table(results) in (root / "docs/verification.md").read_text()
+    assert scripts["two_codes"].table(results) in (root / "docs/verification.md").read_text()
